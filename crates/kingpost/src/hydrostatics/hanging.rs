@@ -20,13 +20,14 @@ use serde::Serialize;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HangingLoad {
-    /// The joint or the line that it hangs from.
+    /// Joint or line from which the load hangs.
     pub joint: String,
     /// The body under the joint.
     pub body: String,
-    /// Mass of the body and all that it carries, less that of the water that it displaces as a lifted object, kg.
+    /// Mass of the body and of all bodies that it carries, less the mass of the water that lifted objects
+    /// among them displace, kg.
     pub mass_kg: f64,
-    /// Distance of their centre below the joint, m.
+    /// Distance of their common centre of mass below the joint, m.
     pub length_m: f64,
     /// The share of that length by which the effective centre of gravity rises, for heel and for trim: `|P u|^2`, with
     /// u the axis of heel or trim and P the projection on the joint's free axes. For a load that swings about one axis

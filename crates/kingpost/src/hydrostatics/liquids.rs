@@ -5,18 +5,18 @@ use crate::elements::{AnyElement, FreeFloodingTank, SlackTank, UTank};
 use crate::hydrostatics::hanging::Weight;
 use serde::Serialize;
 
-/// The free surface of a slack tank or a free-flooding tank, or the two of a U-tank, in a hull, or in a body that its joints
-/// carry without hanging.
+/// Free surface of a slack tank or a free-flooding tank, or both free surfaces of a U-tank. The tank is in a
+/// hull, or in a body that the hull's joints carry and that does not hang.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FreeSurface {
     /// Name of the force in the scenario.
     pub force: String,
-    /// The body that the tank is in.
+    /// Body that contains the tank.
     pub body: String,
     /// Mass of the liquid, kg; that of a slack tank is part of the body's mass.
     pub liquid_kg: f64,
-    /// Height of the liquid's centre above the keel in the present position, along the hull's z, m.
+    /// Height of the liquid's centre of mass above the keel in the present position, along the hull's z, m.
     pub keel_to_liquid_m: f64,
     /// Reduction of GM across and along the ship, `rho i / M`, with i the second moment of its present surface about
     /// its centroid and M the floating mass, m (Barrass & Derrett, *Ship Stability for Masters and Mates*, ch. on free

@@ -47,8 +47,8 @@ pub struct HydrostaticReport {
     pub warnings: Vec<String>,
 }
 
-/// A hull at rest in still water with all that its joints carry. Pairs are across the ship, for heel,
-/// and along it, for trim.
+/// A hull at rest in still water, with all bodies that its joints carry. The first number of a pair is for
+/// heel (across the ship), the second for trim (along the ship).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HullAfloat {
@@ -89,13 +89,14 @@ pub struct HullAfloat {
     pub hanging: Vec<HangingLoad>,
     /// The free surfaces of slack tanks, U-tanks and free-flooding tanks.
     pub free_surfaces: Vec<FreeSurface>,
-    /// GZ to the side that the ship lists to; `None` without a mesh.
+    /// GZ to the side of the list; `None` without a mesh.
     pub righting_arm: Option<RightingArmCurve>,
-    /// Whether volume, KB and BM are those of the floating mesh; else they follow from the waterplane at the database's
-    /// draught, moved along the hull's z.
+    /// Whether volume, KB and BM are computed from the floating mesh; otherwise they follow from the
+    /// waterplane at the database's draught, moved along the hull's z.
     pub by_mesh: bool,
-    /// Whether the buoyancy of the run, which gives this position, is the mesh's; else it is linear, and the righting
-    /// arms, which are always the mesh's, may pass through zero at another heel.
+    /// Whether this position is computed with the mesh's buoyancy, like the run; otherwise with linear
+    /// buoyancy. The righting arms always use the mesh, so with linear buoyancy they can pass through zero at
+    /// another heel.
     pub rests_by_mesh: bool,
 }
 

@@ -31,8 +31,8 @@ pub enum Side {
 /// GZ over the heel to one side, at constant displacement, free to trim, with hanging loads at their suspension points
 /// and slack tanks level.
 ///
-/// For a listing ship it is to the side of the list, where the arms are smaller; for an upright ship to the side with
-/// the smaller largest arm, and to starboard if both are equal.
+/// For a listing ship the curve is for the side of the list, where the arms are smaller; for an upright ship
+/// for the side with the smaller maximum arm, or for starboard if both are equal.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct RightingArmCurve {
@@ -40,14 +40,15 @@ pub struct RightingArmCurve {
     pub side: Side,
     /// Points at heel angles from 0 to 60 deg.
     pub points: Vec<RightingArmPoint>,
-    /// Heel to that side at which the arm becomes positive, rad: the list, or the angle of loll; negative if it lies on the
-    /// other side, as by linear buoyancy a ship may list to one side and by her mesh to the other. `None` if there is none
-    /// up to 90 deg.
+    /// Heel to the curve's side at which the arm becomes positive, rad: the list, or the angle of loll.
+    /// Negative if it is on the other side: linear buoyancy and the mesh can give lists to different sides.
+    /// `None` if there is none up to 90 deg.
     pub equilibrium_rad: Option<f64>,
-    /// The largest arm beyond it, m, and its heel, rad, from a parabola through three angles one degree apart.
+    /// Largest arm beyond the equilibrium, m, and its heel, rad, from a parabola through three angles one
+    /// degree apart.
     pub largest: Option<LargestArm>,
-    /// Heel at which the arm becomes negative, rad; `None` if it does not up to 90 deg. The range of positive stability
-    /// is from the equilibrium to this angle.
+    /// Heel at which the arm becomes negative, rad; `None` if this does not occur up to 90 deg. The range of
+    /// positive stability is from the equilibrium to this angle.
     pub vanishing_rad: Option<f64>,
 }
 
@@ -59,11 +60,11 @@ pub struct RightingArmPoint {
     pub heel_rad: f64,
     /// Trim by the bow, rad.
     pub trim_rad: f64,
-    /// GZ, m: positive if it turns the ship back.
+    /// GZ, m: positive if it rights the ship.
     pub arm_m: f64,
 }
 
-/// The top of a righting-arm curve.
+/// Maximum of a righting-arm curve.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LargestArm {

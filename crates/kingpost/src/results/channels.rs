@@ -27,11 +27,11 @@ pub struct Channel {
     pub dims: Vec<String>,
     /// Labels along each dimension.
     pub labels: Vec<Vec<String>>,
-    /// The pattern of a column's name from its labels: `{body}.angular_velocity.{axis}`.
+    /// Pattern of the names of its columns, with its labels: `{body}.angular_velocity.{axis}`.
     pub column: String,
     /// Names of its columns in a flat table: `ship.angular_velocity.x`.
     pub columns: Vec<String>,
-    /// Whether it is an output of elements; else it belongs to the model or the ledger.
+    /// Whether it is an output of elements; otherwise it is a variable of the model or the ledger.
     pub of_elements: bool,
     /// First entry in a row.
     pub offset: usize,

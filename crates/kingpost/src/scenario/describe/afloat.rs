@@ -22,7 +22,7 @@ pub struct SeaDescription {
     pub cut_spectra: Vec<CutSpectrum>,
 }
 
-/// A spectrum that is only partly in the sea.
+/// A wave spectrum that is partly cut off.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CutSpectrum {

@@ -72,7 +72,7 @@ pub struct PartDescription {
     pub name: String,
     /// A part of the gallery, or a file.
     pub part: String,
-    /// The body that it is mounted on, or `world`.
+    /// Body on which the part is mounted, or `world`.
     pub on: String,
     /// Position in the drawing frame of that body, m.
     pub position_m: [f64; 3],
@@ -102,7 +102,7 @@ pub struct BodyDescription {
     pub colour: Option<schema::Colour>,
 }
 
-/// A joint to name.
+/// A joint, with its coordinates.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct JointDescription {
@@ -142,7 +142,7 @@ pub struct LoopDescription {
     pub constraints: Vec<String>,
 }
 
-/// A limit that a run is checked against.
+/// A limit against which the results of a run are checked.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LimitDescription {
@@ -152,7 +152,7 @@ pub struct LimitDescription {
     pub column: String,
     /// Unit of the bounds.
     pub unit: String,
-    /// This unit in the column's SI unit.
+    /// Value of this unit in the column's SI unit.
     pub unit_si: f64,
     /// The smallest value that is allowed.
     pub at_least: Option<f64>,
@@ -162,24 +162,24 @@ pub struct LimitDescription {
     pub from_s: f64,
 }
 
-/// A knob.
+/// A parameter of the scenario, with its value.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ParameterDescription {
     /// Name, as used in `--set`.
     pub name: String,
-    /// For people.
+    /// Label for users.
     pub label: String,
     /// Unit.
     pub unit: String,
-    /// The kind of control for it.
+    /// Kind of control in a view.
     pub kind: ParameterKind,
     /// The value in this scenario.
     #[cfg_attr(feature = "schema", schemars(with = "ParameterValue"))]
     pub value: Value,
     /// Smallest and largest number.
     pub range: Option<[f64; 2]>,
-    /// The texts to choose from.
+    /// Allowed texts.
     pub choices: Option<Vec<String>>,
     /// Whether it can change during a run.
     pub live: bool,
