@@ -140,7 +140,7 @@ export interface PartDescription {
    */
   position_m: [number, number, number];
   /**
-   * Orientation of its axes in that body's: roll, pitch, yaw, rad.
+   * Orientation of the part's axes relative to the axes of that body: roll, pitch, yaw, rad.
    *
    * @minItems 3
    * @maxItems 3

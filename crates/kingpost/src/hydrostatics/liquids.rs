@@ -18,11 +18,12 @@ pub struct FreeSurface {
     pub liquid_kg: f64,
     /// Height of the liquid's centre of mass above the keel in the present position, along the hull's z, m.
     pub keel_to_liquid_m: f64,
-    /// Reduction of GM across and along the ship, `rho i / M`, with i the second moment of its present surface about
-    /// its centroid and M the floating mass, m (Barrass & Derrett, *Ship Stability for Masters and Mates*, ch. on free
-    /// surface). For a U-tank i is that of two levels, `A d^2 / 2`, each of the area A, at the distance d: its columns
-    /// are narrow, and nothing keeps the liquid from its level. For a tank that is open to the sea i is what her waterplane
-    /// loses by it, `A (y - y') (y - y_0)`, with the centres of flotation y_0 without and y' with all openings.
+    /// Reduction of GM across and along the ship, `rho i / M`, with i the second moment of its present
+    /// surface about its centroid and M the floating mass, m (Barrass & Derrett, *Ship Stability for Masters
+    /// and Mates*, ch. on free surface). For a U-tank i is that of both levels, `A d^2 / 2`, with the area A
+    /// of each and their distance d: the columns are narrow, and the liquid flows freely. For a tank that is
+    /// open to the sea i is the loss of the ship's waterplane, `A (y - y') (y - y_0)`, with the centres of
+    /// flotation y_0 without and y' with all openings.
     pub correction_m: [f64; 2],
 }
 

@@ -50,7 +50,7 @@ pub(super) struct ImplicitStage {
     pub(super) interval: Interval,
     /// Derivative of `xi` with respect to the rates, s^2.
     pub(super) xi_slope: f64,
-    /// s.
+    /// Derivative of v and s with respect to the rates, s.
     pub(super) slope: f64,
     pub(super) rotation: RotationBy,
 }

@@ -62,7 +62,7 @@ pub struct Loop<S = f64> {
     pub name: String,
     /// Attachment on the first body: its axes are those of the constraints.
     pub first: Attachment<S>,
-    /// The attachment to the second body.
+    /// Attachment on the second body.
     pub second: Attachment<S>,
     /// Equations of the loop, each with its name in the scenario.
     pub constraints: Vec<(String, Constraint<S>)>,

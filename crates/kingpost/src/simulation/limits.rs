@@ -29,9 +29,9 @@ pub struct LimitResult {
     pub column: String,
     /// Unit of all numbers of this result.
     pub unit: String,
-    /// The smallest value that is allowed.
+    /// Lower bound.
     pub at_least: Option<f64>,
-    /// The largest value that is allowed.
+    /// Upper bound.
     pub at_most: Option<f64>,
     /// Whether all rows are within the limit; absent if it applied to no row.
     pub held: Option<bool>,

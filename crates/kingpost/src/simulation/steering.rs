@@ -13,7 +13,7 @@ use serde::Serialize;
 pub struct LeverMove {
     /// End of the last step before the change, s.
     pub time_s: f64,
-    /// The input.
+    /// Name of the input.
     pub input: String,
     /// New value, in the input's unit.
     pub value: f64,

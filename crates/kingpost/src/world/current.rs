@@ -15,7 +15,7 @@ pub struct Current<S = f64> {
 /// Profile of a current over depth.
 #[derive(Clone, Debug)]
 pub enum CurrentProfile<S = f64> {
-    /// Speed that is the same at all depths.
+    /// Velocity that is the same at all depths.
     Uniform,
     /// Exponent n of the power law U(z) = U ((h + z) / h)^n over the water depth h.
     PowerLaw(S),

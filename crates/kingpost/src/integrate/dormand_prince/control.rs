@@ -9,7 +9,8 @@ use crate::scalar::Scalar;
 pub struct Tolerances {
     /// Absolute error of every coordinate, rad or m, and of every rate, rad/s or m/s.
     pub absolute: f64,
-    /// Added to it: error relative to the coordinate's motion in the step, and to the rate.
+    /// Relative error, added to the absolute one: relative to the motion of a coordinate in the step, and to
+    /// a rate.
     pub relative: f64,
     /// Largest step, s.
     pub largest_step_s: f64,

@@ -3,7 +3,7 @@
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Twist, Vector3};
 
-/// A slide.
+/// A prismatic joint.
 #[derive(Clone, Copy, Debug)]
 pub struct Prismatic<S = f64> {
     /// The joint's frame in the parent's: child axes, origin at zero extension.

@@ -27,7 +27,7 @@ pub fn read_sea_waves(value: &Value) -> Result<SeaWaves, ScenarioError> {
 /// Spectrum of one wave system.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SeaSpectrum {
-    /// Its name in the scenario.
+    /// Name of the wave system in the scenario.
     pub name: String,
     /// Propagation directions, each with the same share of the energy, rad; one direction if the system is
     /// long-crested.

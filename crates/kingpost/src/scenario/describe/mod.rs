@@ -76,7 +76,7 @@ pub struct PartDescription {
     pub on: String,
     /// Position in the drawing frame of that body, m.
     pub position_m: [f64; 3],
-    /// Orientation of its axes in that body's: roll, pitch, yaw, rad.
+    /// Orientation of the part's axes relative to the axes of that body: roll, pitch, yaw, rad.
     pub orientation_rad: [f64; 3],
 }
 

@@ -24,7 +24,7 @@ pub enum GustSpectrum<S = f64> {
     Kaimal {
         /// I: ratio of sigma to the mean speed.
         turbulence_intensity: S,
-        /// L, m.
+        /// Length scale L, m.
         length_scale: S,
     },
 }

@@ -43,7 +43,7 @@ struct Slope<S> {
     /// Component c along the axis, not negative, and the direction of the axis for which this holds.
     along: S,
     upward: S,
-    /// s.
+    /// Component s across the axis.
     across: S,
     /// Unit vector up the slope; 0 if the plane is perpendicular to the axis.
     direction: Vector3<S>,

@@ -10,7 +10,7 @@ use cylinder::CutCylinder;
 /// Part of a solid below a plane n . r = l, with the unit vector n in the solid's axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Below<S = f64> {
-    /// V, m^3.
+    /// Volume V, m^3.
     pub volume: S,
     /// First moment G, the integral of r over V, m^4.
     pub first_moment: Vector3<S>,
