@@ -73,7 +73,7 @@ impl Linearization {
         let verbs = if self.moving.len() == 1 { "moves or accelerates" } else { "move or accelerate" };
         (!self.moving.is_empty()).then(|| {
             format!(
-                "{names} {verbs} as prescribed at {} s: the matrices hold for that instant only; damping ratios and growth may come from the prescribed motion alone",
+                "{names} {verbs} as prescribed at {} s: the matrices are valid for that instant only; damping ratios and growth may come from the prescribed motion alone",
                 self.time_s
             )
         })

@@ -40,7 +40,7 @@ impl LoadedHull<'_> {
         let mean = of_energy(waves, longer);
         let words = || {
             format!(
-                "its waves have the lengths that they have without a current: a current of {:.2} m/s would make them {:.1} % {} \
+                "its wave lengths are those without a current: a current of {:.2} m/s would make them {:.1} % {} \
                  at the same periods, on average (warned of beyond {:.0} %)",
                 libm::hypot(x, y),
                 100.0 * mean.abs(),

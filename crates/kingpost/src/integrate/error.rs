@@ -23,7 +23,7 @@ pub enum StepError {
     },
     /// Error control would reduce the step below the smallest allowed one.
     #[error(
-        "the step size collapsed at {} s: the tolerances ask for less than {step_s:.3e} s, allowed: at least {least_s:.3e} s",
+        "the step size collapsed at {} s: the tolerances need steps of less than {step_s:.3e} s, allowed: at least {least_s:.3e} s",
         shown(*time_s)
     )]
     Collapsed {

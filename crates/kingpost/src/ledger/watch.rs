@@ -48,7 +48,7 @@ impl Watcher for EnergyBalance {
         }
         let text = format!(
             "is off its balance by {} kJ, {} % of the energy in play, {} kJ: the steps are too long for this motion; \
-             the results are not to be trusted, try half of simulation.step_s",
+             do not use the results, try half of simulation.step_s",
             significant(error / 1e3, 3),
             significant(100.0 * error / scale, 3),
             significant(scale / 1e3, 3),

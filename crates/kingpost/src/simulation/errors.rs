@@ -41,7 +41,7 @@ pub enum RunError {
     },
     /// A closed loop has reached a singular position: a dead centre.
     #[error(
-        "singular at {} s: constraint {constraint} of loop {name} depends on the others here, or moves nothing \
+        "singular at {} s: constraint {constraint} of loop {name} depends on the others here, or no coordinate affects it \
          (its pivot over that at the start is {pivot:.1e}), allowed: more than {allowed:e}",
         shown(*time_s)
     )]
@@ -101,7 +101,7 @@ pub enum RunError {
     /// The tension of an inextensible rope is not determined: other ropes carry the same load, or nothing on
     /// the rope can move.
     #[error(
-        "not determined at {} s: how much the inextensible rope {name} carries, because other ropes or loops hold the same, or nothing that can move hangs on it (its relative pivot is {pivot:.1e}), allowed: more than {allowed:e}, or a rope with \
+        "not determined at {} s: the tension of the inextensible rope {name}, because other ropes or loops carry the same load, or nothing on the rope can move (its relative pivot is {pivot:.1e}), allowed: more than {allowed:e}, or a rope with \
          axial_stiffness_N",
         shown(*time_s)
     )]
@@ -117,7 +117,7 @@ pub enum RunError {
     },
     /// An inextensible rope is shorter than its path, and nothing on it can move to shorten the path.
     #[error(
-        "too short at {} s: the inextensible rope {name} is {gap:.3e} m shorter than its path, and what it holds cannot follow, \
+        "too short at {} s: the inextensible rope {name} is {gap:.3e} m shorter than its path, and its load cannot follow, \
          allowed: less than {allowed:e} m",
         shown(*time_s)
     )]
@@ -235,7 +235,7 @@ pub enum InputError {
         upper: f64,
     },
     /// The input is connected to a signal, which sets it.
-    #[error("input {name}: found a value by hand, allowed: none, as it takes {signal}")]
+    #[error("input {name}: found a value from the user, allowed: none, because it is connected to {signal}")]
     Wired {
         /// The input.
         name: String,
@@ -243,7 +243,7 @@ pub enum InputError {
         signal: String,
     },
     /// Other waves for a body whose motion follows the waves: its position would jump.
-    #[error("waves: found other waves, allowed: those of the run, because a body moves with them and would jump")]
+    #[error("waves: found other waves, allowed: those of the run, because they move a body, which would jump")]
     MovedByWaves,
     /// An array of the wrong length.
     #[error("{name}: found {found} numbers, allowed: {allowed}")]

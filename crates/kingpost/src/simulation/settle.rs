@@ -59,7 +59,7 @@ pub struct Equilibrium {
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum Instability {
     /// A small motion grows as `e^(t / T)` without damping.
-    #[error("{coordinate} moves away from it, by a factor of e every {time_s:.3} s")]
+    #[error("a displacement of {coordinate} grows by a factor of e every {time_s:.3} s")]
     Growth {
         /// The free coordinate with most of the kinetic energy of the fastest such motion.
         coordinate: String,

@@ -209,10 +209,10 @@ fn dependent_constraints_are_refused_by_name() {
     let planar = error_of(&four_bar("initial_angle_rad: 1", "x, y, z", ""));
     assert!(planar.contains("loops.pin.constraints.1: found y, which no free coordinate can change"), "{planar}");
     let twice = error_of(&four_bar("initial_angle_rad: 1", "x, z, x", ""));
-    assert!(twice.contains("loops.pin.constraints.2: found x, which follows from pin.x"), "{twice}");
+    assert!(twice.contains("loops.pin.constraints.2: found x, which depends on pin.x"), "{twice}");
     let held = four_bar("initial_angle_rad: 1, mode: held", "x, z, pitch", "");
     let driven = error_of(&held.replace("start_gap_m: 0.5", "start_gap_m: 3"));
-    assert!(driven.contains("pitch, which follows from pin.x, pin.z"), "{driven}");
+    assert!(driven.contains("pitch, which depends on pin.x, pin.z"), "{driven}");
     let none = error_of(&four_bar("initial_angle_rad: 1", "", ""));
     assert!(none.contains("loops.pin.constraints: found an empty list"), "{none}");
 }

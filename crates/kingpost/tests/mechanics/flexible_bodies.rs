@@ -258,7 +258,7 @@ fn an_invalid_section_is_refused() {
 #[test]
 fn a_beam_with_unsupported_fields_is_refused() {
     let inertia =
-        "bodies.beam.inertia: found an inertia of a flexible body, allowed: none: its section and length give it";
+        "bodies.beam.inertia: found an inertia of a flexible body, allowed: none: it follows from section and length";
     refuses("mass_kg: 500", "mass_kg: 500\n    inertia: {radii_of_gyration: {radii_m: [1, 1, 1]}}", inertia);
     let root = "joint.fixed.child_position_m.0: found 10, \
                 allowed: -10 to -7.5: the joint of a flexible body is in its first segment";

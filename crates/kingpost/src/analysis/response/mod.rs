@@ -98,7 +98,7 @@ pub enum ResponseError {
         allowed: String,
     },
     /// At this frequency an undamped motion is unbounded.
-    #[error("frequencies_rad_s: found {found}, allowed: one away from the resonances of undamped motions")]
+    #[error("frequencies_rad_s: found {found}, allowed: a frequency away from the resonances of undamped motions")]
     Resonance {
         /// The frequency, rad/s.
         found: f64,

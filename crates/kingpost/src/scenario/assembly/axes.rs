@@ -228,7 +228,7 @@ fn gas_spring<S: Quantity>(
     let (area, volume, extension) = (given.piston_area_m2.get(), given.gas_volume_m3.get(), given.at_extension_m);
     let field = |name: &str| format!("{path}.{}", axis.field(name));
     let Some(lower) = axis.limits.as_ref().and_then(|limits| limits.lower) else {
-        let allowed = "limits with lower_m, at which gas is left, for the gas spring of the axis";
+        let allowed = "limits with lower_m, at which the gas volume is not 0, for the gas spring of the axis";
         return Err(FieldError::new(field("limits"), "no lower limit", allowed));
     };
     let left = volume + area * (lower - extension);
@@ -238,7 +238,7 @@ fn gas_spring<S: Quantity>(
         return Err(FieldError::new(
             field("limits.lower_m"),
             found,
-            format!("more than {empty:.4}, where no gas is left"),
+            format!("more than {empty:.4}, where the gas volume is 0"),
         ));
     }
     Ok(GasSpring {

@@ -81,7 +81,7 @@ const HANDOVERS: usize = 12;
 fn differentiate<S: Scalar>(plain: &Setup, setup: &mut Setup<S>) -> Result<(), FieldError> {
     let compliance = Simulation::new(plain.clone()).compliance();
     let compliance = compliance.ok_or_else(|| {
-        FieldError::new(FIELD, "true, where nothing keeps the model in its place", "false, for a derivative")
+        FieldError::new(FIELD, "true, for a model that nothing holds in position", "false, for a derivative")
     })?;
     let mut plant = Plant::new(setup.model.clone(), setup.world.clone(), setup.elements.clone());
     let still = vec![S::ZERO; setup.v.len()];

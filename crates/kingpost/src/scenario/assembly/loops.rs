@@ -138,10 +138,10 @@ fn check_independence<S: Quantity>(model: &Model<S>, solver: &LoopSolver<S>) -> 
     let others: Vec<&str> = solver.factor().depends_on(dependent).into_iter().map(|i| all[i].as_str()).collect();
     let why = match others.as_slice() {
         [] => "which no free coordinate can change".to_owned(),
-        others => format!("which follows from {}", others.join(", ")),
+        others => format!("which depends on {}", others.join(", ")),
     };
     let found = format!("{}, {why}", closed.constraints[own].0);
-    let allowed = "constraints of which none depends on the others: leave this one out";
+    let allowed = "independent constraints: omit this one";
     Err(FieldError::new(format!("loops.{}.constraints.{own}", closed.name), found, allowed))
 }
 

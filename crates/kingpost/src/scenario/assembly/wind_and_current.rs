@@ -92,7 +92,7 @@ pub fn current<S: Quantity>(sea: &schema::Sea<S>) -> Result<Current<S>, FieldErr
         CurrentSchema::Table(given) => {
             if !sea.current_m_s.into_iter().all(Quantity::vanishes) {
                 let found = format!("[{x}, {y}]");
-                let allowed = "nothing: the table of sea.current_profile has the current at the surface too";
+                let allowed = "nothing: the table of sea.current_profile also gives the current at the surface";
                 return Err(FieldError::new("sea.current_m_s", found, allowed));
             }
             let table = table(given, sea.depth_m.map(|depth| depth.get()))?;

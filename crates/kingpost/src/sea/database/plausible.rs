@@ -47,7 +47,7 @@ pub(super) fn check(database: &Database) -> Checked {
         // pitch.
         let is_too_small = ratio < 1.0 / MOST_EXCITATION && matches!(mode, 2 | 4);
         let found = format!(
-            "in {}, at the median, {ratio:.3e} times the amplitude that radiation_damping asks for by Haskind's relation",
+            "in {}, at the median, {ratio:.3e} times the amplitude that follows from radiation_damping by Haskind's relation",
             MODES[mode]
         );
         let allowed = "about once: check the units and scale of forces and damping";

@@ -48,7 +48,7 @@ pub enum StabilityError {
     },
     /// The search for an equilibrium does not converge.
     #[error(
-        "no equilibrium at heel {heel_deg:.3} deg to starboard, trim {trim_deg:.3} deg by the bow: a turn of {turn_rad:.1e} rad is left after {steps} steps, allowed: {allowed_rad:e} rad"
+        "no equilibrium at heel {heel_deg:.3} deg to starboard, trim {trim_deg:.3} deg by the bow: the next rotation is {turn_rad:.1e} rad after {steps} steps, allowed: {allowed_rad:e} rad"
     )]
     NotSettled {
         /// Heel to starboard, deg.

@@ -35,7 +35,7 @@ pub(super) struct Triangle {
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum MeshError {
     /// There are too few triangles to enclose a volume.
-    #[error("the hull has {triangles} triangles, allowed: at least 4, which close")]
+    #[error("the hull has {triangles} triangles, allowed: at least 4, as a closed surface")]
     TooFew {
         /// Number of triangles.
         triangles: usize,
