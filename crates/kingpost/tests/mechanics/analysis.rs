@@ -84,7 +84,9 @@ fn an_unstable_equilibrium_is_reported_with_its_growth_rate() {
     let upside_down = pendulum(core::f64::consts::PI) + "simulation: {begin_at_equilibrium: true}\n";
     let error = read(&upside_down, "test.yaml", &[]).expect_err("it would fall").to_string();
     assert!(
-        error.contains("an equilibrium that is not stable: a displacement of swing grows by a factor of e every 0.369 s"),
+        error.contains(
+            "an equilibrium that is not stable: a displacement of swing grows by a factor of e every 0.369 s"
+        ),
         "{error}"
     );
 }

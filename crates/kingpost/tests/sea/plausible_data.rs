@@ -111,7 +111,10 @@ fn an_excitation_a_thousand_times_too_large_or_too_small_is_refused() {
     assert_eq!(spoilt(|all| beyond_long_waves(all, 1.0)).expect("it is fine").doubts(), Vec::<String>::new());
     for factor in [1e3, 1e-3] {
         let error = spoilt(|all| beyond_long_waves(all, factor)).expect_err("it is wrong");
-        assert!(error.contains("times the amplitude that follows from radiation_damping by Haskind's relation"), "{error}");
+        assert!(
+            error.contains("times the amplitude that follows from radiation_damping by Haskind's relation"),
+            "{error}"
+        );
     }
 }
 

@@ -187,7 +187,11 @@ fn check<S: Quantity>(name: &str, body: &schema::Body<S>, flexible: &Flexible<S>
         Err(FieldError::new(format!("bodies.{name}.{field}"), found, allowed))
     };
     if body.inertia.is_some() {
-        return error("inertia", "an inertia of a flexible body".to_owned(), "none: it follows from section and length");
+        return error(
+            "inertia",
+            "an inertia of a flexible body".to_owned(),
+            "none: it follows from section and length",
+        );
     }
     if !(1..=MOST_SEGMENTS).contains(&flexible.segments) {
         return error("flexible.segments", flexible.segments.to_string(), "a whole number from 1 to 64");
