@@ -1,4 +1,4 @@
-//! ARCHITECTURE.md says what may import what; this holds the code to it.
+//! Checks that imports follow the rules of ARCHITECTURE.md.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

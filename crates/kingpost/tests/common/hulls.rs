@@ -1,4 +1,4 @@
-//! Hull meshes whose hydrostatics are closed forms, and one that has no symmetry.
+//! Hull meshes whose hydrostatics have closed forms, and one without symmetry.
 
 use kingpost::scalar::{Dual, Scalar};
 use kingpost::sea::hull::HullMesh;

@@ -1,4 +1,4 @@
-//! The paper's scenario, and what the scenario tests do with it.
+//! The paper's scenario, and functions of the scenario tests that use it.
 
 use kingpost::scenario::{Scenario, parse_assignment, read};
 

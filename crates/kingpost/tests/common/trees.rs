@@ -1,6 +1,6 @@
-//! Random trees of bodies, written down so that a failure shrinks: to fewer bodies, on the first of
-//! them, with fixed joints and nothing held. Every body takes its numbers from a seed of its own, so
-//! that the others keep theirs where one is taken away.
+//! Random trees of bodies, described so that a failing case can shrink: to fewer bodies, all on the first
+//! one, with fixed joints and nothing held. The numbers of a body come from a separate seed, so that they do
+//! not change when another body is removed.
 
 use super::Random;
 use kingpost::dynamics::Loads;

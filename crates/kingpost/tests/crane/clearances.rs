@@ -1,4 +1,4 @@
-//! Clearances of points and their air gap, against distances by hand.
+//! Clearances of points and their air gap, against hand calculations.
 
 use crate::common;
 
@@ -50,7 +50,7 @@ fn from_box(point: [f64; 3], half: [f64; 3]) -> f64 {
     length(std::array::from_fn(|k| (point[k].abs() - half[k]).max(0.0)))
 }
 
-/// Prescribed motions at constant rates are exact: what is left is rounding.
+/// Prescribed motions at constant rates are exact: the remaining error is rounding.
 #[test]
 fn the_clearance_of_two_points_is_the_distance_from_their_motions() {
     let text = arm_and_cart(
@@ -114,7 +114,7 @@ fn a_point_inside_a_solid_has_a_negative_clearance() {
     assert!((found + 0.5).abs() < 1e-15, "{found}");
 }
 
-/// With a sea, and a clearance of its own beside the air gaps.
+/// A scenario with a sea, and with a clearance in addition to the air gaps.
 fn over_waves(wave: &Wave, rest: &str) -> String {
     let text = arm_and_cart(
         "sensors:
@@ -190,7 +190,7 @@ limits:
     assert!(fender.worst.unwrap().abs() < 1e-12 && (fender.worst_time_s.unwrap() - 8.0).abs() < 1e-9, "{fender:?}");
 }
 
-/// Checks that a sensor, which only reads the model, moves nothing: the same bits with it and without.
+/// Checks that a sensor does not change the motion: runs with and without it are bitwise identical.
 #[test]
 fn a_sensor_changes_no_number_of_the_motion() {
     let wave = Wave::new(3.0, 7.0, 0.4);

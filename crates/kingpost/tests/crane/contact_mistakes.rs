@@ -1,4 +1,4 @@
-//! Mistakes that a person may make with a contact: each has an answer at its place.
+//! Mistakes that a user can make with a contact: each is reported at its place.
 
 use crate::common;
 

@@ -1,4 +1,4 @@
-//! A load lifted off a barge and landed on it, in waves, and what its weight is to the barge.
+//! A load lifted off a barge and landed on it, in waves, and the effect of its weight on the barge.
 
 use crate::common;
 

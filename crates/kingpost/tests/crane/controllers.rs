@@ -1,4 +1,5 @@
-//! Controllers: input shapers against the closed form of a linear oscillator, state feedback against its own law.
+//! Controllers: input shapers against the closed form of a linear oscillator, state feedback against its
+//! control law.
 
 use crate::common;
 

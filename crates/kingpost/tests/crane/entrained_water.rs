@@ -1,4 +1,4 @@
-//! Water inside of lifted objects, against Torricelli's times and weights by hand.
+//! Water inside lifted objects, against Torricelli's times and hand calculations of weights.
 
 use crate::common;
 

@@ -1,4 +1,5 @@
-//! Active heave compensation: closed forms of what is left of a sinusoidal motion, with and without prediction, and limits.
+//! Active heave compensation: closed forms of the residual of a sinusoidal motion, with and without
+//! prediction, and limits.
 
 use crate::common;
 
@@ -173,7 +174,8 @@ fn the_prediction_cancels_the_phase_of_the_sensors_filter() {
     assert!(predicted < 0.025, "{predicted}");
 }
 
-/// With a receiver the filter removes nothing, so nothing has to be undone: what is left is as without the filter.
+/// With a receiver the filter removes nothing, so no correction is needed: the residual equals that without
+/// the filter.
 #[test]
 fn with_a_receiver_the_heave_filter_has_no_phase_to_cancel() {
     let receiver = json!({"satellite_receiver": {"body": "deck", "position_m": [1, 0, 9], "period_s": 0.1}});

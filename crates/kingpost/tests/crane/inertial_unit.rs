@@ -1,4 +1,4 @@
-//! An inertial unit: what its filter finds of a motion, and what it does with the errors of its instruments.
+//! Inertial unit: the motion that its filter estimates, and the effect of errors of its instruments.
 
 use crate::common;
 
@@ -7,7 +7,7 @@ use kingpost::simulation::Simulation;
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 
-/// A raft that heaves and rolls about an axis 5 m below its unit, as it is told to.
+/// A raft with prescribed heave, and roll about an axis 5 m below its unit.
 const TEXT: &str = "
 version: 1
 title: An inertial unit
@@ -53,7 +53,7 @@ fn settled(changes: &[(&str, Value)]) -> Vec<[[f64; 2]; 3]> {
     rows
 }
 
-/// Largest distance of what is found from the truth, without its mean.
+/// Returns the largest deviation of the estimate from the true value, without its mean.
 fn largest(rows: &[[[f64; 2]; 3]], quantity: usize) -> f64 {
     let off: Vec<f64> = rows.iter().map(|row| row[quantity][0] - row[quantity][1]).collect();
     let mean = off.iter().sum::<f64>() / off.len() as f64;

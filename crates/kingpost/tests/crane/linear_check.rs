@@ -1,4 +1,4 @@
-//! The linear check: which feedback grows, with sums, sensors and their delays.
+//! The linear check: which feedback makes a mode grow, with integrals, sensors and their delays.
 
 use super::controllers::{MASS, STIFFNESS, oscillator};
 use crate::common;

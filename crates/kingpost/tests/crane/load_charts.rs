@@ -1,4 +1,4 @@
-//! Load charts of cranes: radius, rated load and hook load against those by hand.
+//! Load charts of cranes: radius, rated load and hook load, against hand calculations.
 
 use crate::common;
 

@@ -1,4 +1,5 @@
-//! Compensation in several axes: closed forms of what is left of a sinusoidal motion, limits, singular places.
+//! Compensation in several axes: closed forms of the residual of a sinusoidal motion, limits, singular
+//! positions.
 
 use crate::common;
 

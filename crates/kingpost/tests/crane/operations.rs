@@ -1,4 +1,5 @@
-//! Operations as timelines: steps that move inputs until a condition holds, and the limits that a run is held against.
+//! Operations as timelines: steps that change inputs until a condition holds, and limits against which a run
+//! is checked.
 
 use crate::common;
 

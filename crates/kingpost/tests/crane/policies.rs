@@ -1,4 +1,4 @@
-//! Learned policies against their own law, selectors against what they pass, and the linear check of both.
+//! Learned policies against their control law, selectors against their inputs, and the linear check of both.
 
 use crate::common;
 

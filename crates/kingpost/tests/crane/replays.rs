@@ -1,4 +1,4 @@
-//! Replay of what a hand set in a run, by a scenario.
+//! Replay of a user's inputs in a run, as a scenario.
 
 use crate::operations::{PUSH_COAST_BRAKE, run, slide};
 use kingpost::Simulation;

@@ -1,4 +1,4 @@
-//! Offlead and sidelead of ropes: the angles of the leg between crane and load, from the places of both.
+//! Offlead and sidelead of ropes: the angles of the leg between crane and load, from the positions of both.
 
 use crate::common;
 

@@ -1,4 +1,4 @@
-//! Mistakes that a person may make with a rope: each has an answer at its place.
+//! Mistakes that a user can make with a rope: each is reported at its place.
 
 use crate::common;
 
@@ -167,7 +167,7 @@ fn a_rope_that_cannot_carry_its_load_at_rest_is_refused() {
     assert!(error.contains("forces.fall.rope.breaking_load_N: found 5000, allowed: more than 9807 N"), "{error}");
 }
 
-/// The damper's pull at 2 m/s is k tau v = 20 kN as the rope comes taut.
+/// The tension from the damper at 2 m/s is k tau v = 20 kN as the rope becomes taut.
 #[test]
 fn a_rope_parts_when_its_damper_exceeds_the_breaking_load_as_it_becomes_taut() {
     let drop = |load: &str| {
@@ -183,7 +183,7 @@ fn a_rope_parts_when_its_damper_exceeds_the_breaking_load_as_it_becomes_taut() {
     assert!(!parted && tension > 1e4, "{tension}");
 }
 
-/// A rope that is made longer, or shorter, while a run goes on is slack, or pulls, from there on.
+/// A rope that is lengthened or shortened during a run becomes slack or taut from then on.
 #[test]
 fn a_rope_whose_length_is_set_during_a_run_goes_slack_and_taut() {
     let text = hanging("");

@@ -250,7 +250,8 @@ forces:
     assert!((most - 2.0).abs() < 1e-4, "{most}");
 }
 
-/// Four falls carry a quarter each; friction at each of two sheaves takes its share of what the drum must hold.
+/// Four falls carry a quarter each; friction at each of two sheaves reduces the tension that the drum must
+/// hold.
 #[test]
 fn falls_share_the_weight_and_sheave_friction_reduces_the_lead_tension() {
     let text = format!(
@@ -292,7 +293,7 @@ forces:
     assert!((lead / (tension / 0.96 / 0.96) - 1.0).abs() < 1e-4, "{lead}");
 }
 
-/// `T R / eta` hauls in, `T R eta` holds while it pays out; what is lost is heat.
+/// `T R / eta` hauls in, `T R eta` holds while the drum pays out; the loss is heat.
 #[test]
 fn a_winch_with_friction_takes_more_torque_to_haul_in_than_to_pay_out() {
     for (rate, expected) in [(-1.0, 1.0 / 0.9), (1.0, 0.85)] {

@@ -1,4 +1,4 @@
-//! Ropes that are released or part as they come taut, and lines of constant tension.
+//! Ropes that are released, or part as they become taut, and lines of constant tension.
 
 use crate::common;
 
@@ -122,7 +122,7 @@ const HOOKED: &str = "operation:
     - {name: hook on, set: [{input: sling, to: 0}]}
 ";
 
-/// The table's spring stretches by v t after the sling comes taut; the sling is k = 2e6 N/m.
+/// The table's spring stretches by v t after the sling becomes taut; the sling is k = 2e6 N/m.
 #[test]
 fn a_rope_is_connected_slack_and_pulls_once_it_is_taut() {
     let mut found = simulation(&pick_up(HOOKED));

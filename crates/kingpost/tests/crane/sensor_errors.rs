@@ -1,4 +1,4 @@
-//! Errors that sensors add to the truth, and the filter of heave.
+//! Errors that sensors add to the true values, and the heave filter.
 
 use crate::common;
 

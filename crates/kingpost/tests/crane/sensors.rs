@@ -1,4 +1,4 @@
-//! Sensors that sample, and wires that lead what they say to the inputs of others.
+//! Sensors that sample, and wires that connect their values to inputs of other elements.
 
 use crate::common;
 
@@ -9,7 +9,7 @@ use kingpost::simulation::{InputError, Simulation};
 use serde_json::{Value, json};
 use std::collections::HashMap;
 
-/// A deck that rises at a steady speed, and a block on a winch below it that pays out what the deck rises by.
+/// A deck that rises at a constant speed, and a block below it on a winch that pays out the rise of the deck.
 const DECK: &str = "
 version: 1
 title: A deck that rises, and a load that stays

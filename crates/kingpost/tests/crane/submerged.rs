@@ -1,4 +1,4 @@
-//! The water on a lifted object, against formulas by hand: Archimedes, Morison, added mass, slamming.
+//! Forces of water on a lifted object, against hand calculations: Archimedes, Morison, added mass, slamming.
 
 use crate::common;
 

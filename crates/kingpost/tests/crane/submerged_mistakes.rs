@@ -1,4 +1,4 @@
-//! Mistakes that a person may make with the water on a lifted object: each has an answer at its place.
+//! Mistakes that a user can make with the water forces on a lifted object: each is reported at its place.
 
 use kingpost::scenario::read;
 

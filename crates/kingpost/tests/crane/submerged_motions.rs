@@ -1,4 +1,5 @@
-//! How lifted objects move in the water: closed forms, energy and momentum, both forms of the equations, the order of a scheme.
+//! Motions of lifted objects in the water: closed forms, energy and momentum, both forms of the equations,
+//! the order of a scheme.
 
 use crate::common;
 

@@ -1,4 +1,4 @@
-//! A swing estimator: what its filter finds of a swing, and what it does with the errors of its gyroscopes.
+//! Swing estimator: the swing that its filter estimates, and the effect of errors of its gyroscopes.
 
 use crate::common;
 

@@ -1,5 +1,5 @@
-//! Dual numbers as the oracle of the velocity terms: q moves along v as q + v e, and what carries e
-//! is a rate. They know nothing of R' = R hat(omega), of B' or of the columns' rates.
+//! Velocity terms against dual numbers: q moves along v as q + v e, and the coefficient of e is a rate. Dual
+//! numbers do not use R' = R hat(omega), B' or the columns' rates.
 
 use crate::common;
 

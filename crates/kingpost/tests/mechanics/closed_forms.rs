@@ -1,4 +1,4 @@
-//! Motions of one coordinate or one body that are known in closed form.
+//! Motions of one coordinate or one body with known closed forms.
 
 use crate::common;
 

@@ -1,5 +1,5 @@
-//! Mechanisms with closed loops: against closed forms and statics, for ten minutes, and where they
-//! cannot go on.
+//! Mechanisms with closed loops: against closed forms and statics, for ten minutes, and at positions where
+//! they cannot continue.
 
 use crate::common;
 

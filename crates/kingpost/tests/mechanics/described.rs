@@ -1,4 +1,4 @@
-//! Description of a model by the engine, for those who draw it and write of it.
+//! Description of a model by the engine, for programs that draw it or write about it.
 
 use kingpost::elements::LineStyle;
 use kingpost::scenario::{self, Scenario};

@@ -1,4 +1,4 @@
-//! The formulas of B and B' by blocks: equal to the matrices in numbers, and as the paper has them.
+//! Formulas of the blocks of B and B': equal to the matrices in value, and with the form in the paper.
 
 use crate::common;
 

@@ -1,5 +1,5 @@
-//! Every kind of joint as a scenario writes it: against motions known in closed form, against other
-//! joints that must move alike, and each mistake refused.
+//! Every kind of joint in a scenario: against motions with known closed forms, against other joints with
+//! equal motion, and errors for each mistake.
 
 use crate::common;
 

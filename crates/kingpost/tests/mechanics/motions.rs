@@ -1,6 +1,6 @@
-//! Motions and efforts that begin, hold and stop where the scenario says: closed forms. A rate that is
-//! piecewise linear in time is integrated exactly by RK4, whose steps end where the pieces do, so that
-//! what is left is rounding.
+//! Motions and drive forces that start, hold and stop as the scenario specifies: closed forms. A rate that is
+//! piecewise linear in time is integrated exactly by RK4, whose steps end where the pieces do, so that the
+//! remaining error is rounding.
 
 use crate::common;
 use crate::common::gallery_files;
@@ -82,7 +82,7 @@ fn a_pulse_without_a_reverse_stops_after_its_distance() {
 fn the_motion_by_a_list_of_times_and_rates_is_its_area() {
     let slew = "mode: {prescribed: {rate_deg_s: 2, history: list,
       list: {time_s: [5, 8, 20, 23, 30, 31, 40], share: [0, 1, 1, 0, 0, -0.5, 0]}}}";
-    // It begins at once at full speed, and goes on at a tenth.
+    // The motion starts at once at full speed, and continues at a tenth of it.
     let hoist = "mode: {prescribed: {speed_m_s: 0.5, history: list, list: {time_s: [0, 10, 12], share: [1, 1, 0.1]}}}";
     let mut simulation = simulation(&turntable(slew, hoist));
     assert_eq!(simulation.state().v, [0.0, 0.5]);

@@ -1,4 +1,4 @@
-//! A kind of element that only this file knows has everything that those of the engine have.
+//! A kind of element that is defined only in this file has all functions of the engine's elements.
 
 use kingpost::analysis::Linearizer;
 use kingpost::batch::{Batch, Built, run_built};

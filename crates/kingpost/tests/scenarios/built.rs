@@ -1,4 +1,5 @@
-//! A scenario that is built once: what is made of it equals, to the bit, what a scenario that is built anew gives.
+//! A scenario that is built once: its simulations and analyses are bitwise identical to those of a scenario
+//! that is built again.
 
 use crate::common::gallery_files::{files, scenario, text};
 use kingpost::analysis::{Linearizer, gradient};

@@ -1,4 +1,4 @@
-//! Files and snapshots that are damaged: none makes the engine panic, and no damage to a snapshot goes unseen.
+//! Damaged files and snapshots: none makes the engine panic, and all damage to a snapshot is detected.
 
 use crate::common::paper_text;
 

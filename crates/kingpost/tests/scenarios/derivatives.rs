@@ -1,4 +1,4 @@
-//! Scenarios over dual numbers: what a name derives, and what has no derivative.
+//! Scenarios over dual numbers: names with and without a derivative.
 
 use crate::common::paper_text::set;
 

@@ -1,4 +1,4 @@
-//! Every scenario of the gallery reads, runs to its end and accounts for its energy and momentum.
+//! Every scenario of the gallery reads, runs to its end, and its energy and momentum balance.
 
 use crate::common::gallery_files;
 

@@ -1,5 +1,5 @@
-//! Every number of a scenario goes from the file to the last formula: in a batch each run has its own, and a gradient is the
-//! derivative. What cannot is refused by name.
+//! Every number of a scenario reaches all formulas: in a batch it can differ between runs, and a gradient is
+//! its derivative. A number for which this is not possible is refused by name.
 
 use crate::leaf_cases::{Case, gallery};
 
@@ -185,7 +185,8 @@ const STRUCTURE: [&str; 49] = [
     "sea.depth_m",
 ];
 
-/// Gradients along leaves; a structural leaf without one is told by its name.
+/// Checks gradients with respect to leaves; the error of a structural leaf without a gradient contains its
+/// name.
 fn check_gradients(case: &Case, leaves: &[Moved], failures: &mut Vec<String>) {
     let scenario = read_with(&case.text, case.name, &[], &case.files).expect("the scenario reads");
     let decides = |leaf: &&Moved| STRUCTURE.iter().any(|part| leaf.path.contains(part));

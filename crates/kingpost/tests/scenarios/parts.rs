@@ -1,4 +1,4 @@
-//! Parts: files mounted into a scenario, with their names, their place and their mistakes.
+//! Parts: files mounted into a scenario, with their names, positions and mistakes.
 
 use crate::common::gallery_files;
 use crate::common::hoist_part;

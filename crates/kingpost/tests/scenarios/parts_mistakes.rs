@@ -1,4 +1,4 @@
-//! Mistakes in parts and in their mountings are answered with the place where they stand.
+//! Mistakes in parts and in their mountings are reported with their place.
 
 use crate::common::hoist_part;
 

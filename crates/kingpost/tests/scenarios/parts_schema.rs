@@ -1,4 +1,5 @@
-//! The fields that carry names and files are those that parts know, by the JSON Schema of the types.
+//! The fields that contain names and files, by the JSON Schema of the types, are those that the mounting of
+//! parts changes.
 #![cfg(feature = "schema")]
 
 use kingpost::scenario::json_schema::json_schema;

@@ -1,8 +1,9 @@
-//! Columns that are read alone.
+//! Columns that are read without the rest of the row.
 
 use crate::common::gallery_files::{names, scenario};
 
-/// Checks that an operation reads at every step what a row of the results says, for every column of every scenario.
+/// Checks that an operation reads at every step the value in the row of results, for every column of every
+/// scenario.
 #[test]
 fn a_column_read_separately_has_the_value_in_the_row() {
     for name in names("") {

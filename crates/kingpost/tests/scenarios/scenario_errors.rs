@@ -1,4 +1,4 @@
-//! Bad scenarios: each gives one clear error with its place.
+//! Invalid scenarios: each gives one clear error with its place.
 
 use crate::common::paper_text;
 
@@ -111,7 +111,7 @@ fn a_second_drive_that_follows_a_set_point_in_a_joint_is_refused() {
         );
         assert!(found.ends_with(&expected) && found.starts_with("paper.yaml:"), "{found}");
     }
-    // The motor of the slewing joint is there already; what is off drives nothing.
+    // The slewing joint already has a motor; a disabled drive does not count.
     let brake = "  brake: {brake: {joint: slew, torque_N_m: 100, smoothing_rad_s: 0.01}}\n";
     for accepted in [servo("second", ", enabled: false"), brake.to_owned()] {
         assert!(read(&drives(&accepted), "paper.yaml", &[]).is_ok(), "{accepted}");

@@ -1,4 +1,4 @@
-//! The JSON Schema in the repository is the one that the types give.
+//! The JSON Schema in the repository equals that of the types.
 #![cfg(feature = "schema")]
 
 use kingpost::scenario::json_schema::{equations_schema, json_schema, published_schema, study_schema};

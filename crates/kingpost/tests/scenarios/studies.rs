@@ -1,4 +1,4 @@
-//! The file of a study: its defaults, and what is wrong in it with its place.
+//! Study files: defaults, and errors with their place.
 
 use kingpost::scenario::schema::ParameterValue;
 use kingpost::scenario::study::{self, Study, StudyAxis};

@@ -1,4 +1,4 @@
-//! Many runs at once are the runs that each variant has alone, bit for bit.
+//! Runs of a batch are bitwise identical to single runs of each variant.
 
 use crate::common;
 use crate::common::gallery_files;

@@ -1,4 +1,4 @@
-//! Copies that a controller steps together: a state that is marked, and from which all go on.
+//! Copies that a controller steps together: a marked state from which all copies continue.
 
 use crate::common;
 
@@ -8,7 +8,7 @@ use kingpost::batch::{Asked, Status, VectorEnsemble};
 const COUNT: usize = 6;
 const COLUMNS: [&str; 3] = ["load.position.x", "load.position.y", "energy_error"];
 
-/// A crane whose slewing is an input; each copy's load has a mass of its own if `masses` says so.
+/// A crane whose slewing is an input; each copy's load has a different mass if `masses` is true.
 fn cranes(masses: bool, threads: usize) -> VectorEnsemble {
     let asked = Asked {
         inputs: vec!["slew_command".to_owned()],

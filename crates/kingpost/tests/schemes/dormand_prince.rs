@@ -1,5 +1,5 @@
-//! Dormand-Prince: errors follow the tolerances, dense output has its order, edges end steps, and
-//! what is changed from outside is seen.
+//! Dormand-Prince: errors follow the tolerances, dense output has its order, edges end steps, and changes
+//! from outside are detected.
 
 use crate::common;
 

@@ -1,4 +1,4 @@
-//! Events are located inside a step, and samples fall on their ticks, under every scheme.
+//! Events are located within a step, and samples are taken at their times, under every scheme.
 
 use crate::common;
 
@@ -313,7 +313,7 @@ fn a_sampled_controller_with_two_ticks_delay_is_its_recursion() {
     }
 }
 
-/// Between two restarts the scheme goes on where it was, whatever the step of the display.
+/// Between two restarts the scheme continues its inner steps, for any step of the display.
 #[test]
 fn dormand_prince_does_not_restart_at_every_step() {
     let evaluations = |step_s: f64| {

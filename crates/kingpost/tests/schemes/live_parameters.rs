@@ -1,4 +1,4 @@
-//! Parameters that change while a run goes on.
+//! Parameters that change during a run.
 
 use crate::common;
 
@@ -110,7 +110,7 @@ fn a_change_of_mass_enters_its_energy_and_momentum_in_the_ledger() {
     // The bob hangs 6 m above the origin: 150 kg more are some 9 kJ, by the outside.
     assert!(after - before > 8000.0 && (booked - (after - before)).abs() < 1e-9 * after, "{booked} J of {after} J");
     simulation.step(400).unwrap();
-    // RK4 at 2 ms: what is left is rounding of 1e4 J and h^4 of a swing of 3 s.
+    // RK4 at 2 ms: the remaining error is the rounding of 1e4 J, and h^4 of a swing of 3 s.
     for variable in ["energy_error", "linear_momentum_error", "momentum_error"] {
         let worst = values(&mut simulation, variable).iter().fold(0.0_f64, |worst, error| worst.max(error.abs()));
         assert!(worst < 1e-6, "{variable}: {worst}");

@@ -1,4 +1,4 @@
-//! Warnings of the engine in a run: rods that stand for ropes, and hulls beyond linear theory.
+//! Warnings of the engine in a run: rods that represent ropes, and hulls outside the range of linear theory.
 
 use kingpost::elements::hull::LinearLimits;
 use kingpost::elements::{MeanHeading, Watcher, significant};

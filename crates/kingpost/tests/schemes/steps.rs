@@ -1,4 +1,4 @@
-//! Stepping: the same bits after a snapshot, nothing allocated, divergence seen.
+//! Stepping: bitwise identical runs after a snapshot, no allocation, detection of divergence.
 
 use crate::common;
 

@@ -1,4 +1,4 @@
-//! Another sea under a run: what may happen yet, from a state that it had.
+//! Change of the waves during a run: forecasts from a state of the run.
 
 use super::vessel;
 use kingpost::simulation::{InputError, Simulation};
@@ -55,7 +55,8 @@ fn back_in_its_sea_a_run_continues_bitwise_identically() {
     assert_eq!(row(&mut run), expected);
 }
 
-/// At the moment of the change too, at which the force in the sea before has been asked for.
+/// The check includes the time of the change, at which the force in the previous sea has already been
+/// evaluated.
 #[test]
 fn waves_set_during_a_run_act_like_those_of_a_scenario() {
     let waves = "sea.waves.swell.regular";

@@ -1,4 +1,4 @@
-//! The liquid in a box that stands in any way: closed forms, its energy's gradient, derivatives, lanes.
+//! Liquid in a box with any orientation: closed forms, gradient of the energy, derivatives, lanes.
 
 use crate::common::hulls;
 

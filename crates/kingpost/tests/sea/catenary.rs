@@ -1,4 +1,4 @@
-//! The elastic catenary against closed forms, its own energy, and a published mooring.
+//! The elastic catenary against closed forms, its energy, and a published mooring.
 
 use kingpost::elements::lines::{Catenary, EndForce, Span};
 use kingpost::scalar::{Dual, LANES, Lanes, Scalar};
@@ -155,7 +155,7 @@ fn nothing_jumps_where_the_line_lifts_off_or_goes_slack() {
     }
 }
 
-/// Each lane has the bits that it has alone, whatever the others do.
+/// Each lane is bitwise identical to a single run.
 #[test]
 fn lanes_of_slack_and_taut_lines_are_bitwise_identical_to_single_lines() {
     let all: Vec<Span> = spans().collect();

@@ -1,4 +1,5 @@
-//! Columns of the results in regular waves: the motions by another way, Newton's law, what the waves are themselves.
+//! Frequency response of the columns of results: motions computed in another way, Newton's law, and the waves
+//! themselves.
 
 use crate::common;
 

@@ -1,4 +1,5 @@
-//! Currents that change with the depth, the speed of them that a load is of, and damping relative to water or earth.
+//! Currents that vary with depth, the velocity that a load uses, and damping relative to the water or the
+//! earth.
 
 use crate::common;
 

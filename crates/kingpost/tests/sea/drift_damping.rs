@@ -1,4 +1,4 @@
-//! The drift of waves on a hull that moves, against Aranha's formula, and what `check` says of a current.
+//! Mean drift of waves on a moving hull against Aranha's formula, and the report of `check` about a current.
 
 use crate::common;
 

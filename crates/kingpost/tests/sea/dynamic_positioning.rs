@@ -1,4 +1,4 @@
-//! Dynamic positioning against closed forms: ships that are held.
+//! Dynamic positioning of ships against closed forms.
 
 use crate::common;
 
@@ -228,7 +228,7 @@ fn at_sea(text: &str, pairs: &[(&str, serde_json::Value)]) -> Simulation {
     read_with(text, "test.yaml", &pairs, &barge::files()).expect("it reads").simulation().expect("it builds")
 }
 
-/// At rest a ship is where it is to be, and its thrusters give what the current takes; it stays.
+/// At rest a ship is at its target, and its thrusters balance the load of the current; it stays there.
 #[test]
 fn an_equilibrium_is_on_station_with_the_mean_load_in_the_integrals() {
     let mut ship = at_sea(&station(AT_REST), &[]);
@@ -247,7 +247,7 @@ fn an_equilibrium_is_on_station_with_the_mean_load_in_the_integrals() {
     }
 }
 
-/// A current that takes more than the thrusters have is told before the run.
+/// A current load beyond the capacity of the thrusters is reported before the run.
 #[test]
 fn an_equilibrium_beyond_the_thrusters_is_refused_by_name() {
     let weak = station(AT_REST).replace("max_thrust_kN: 40", "max_thrust_kN: 8");

@@ -1,4 +1,5 @@
-//! Gusts: their spectra against the published formulas, a realisation against its spectrum, and what they do to a ship.
+//! Gusts: spectra against the published formulas, a realisation against its spectrum, and the effect on a
+//! ship.
 
 use crate::common;
 

@@ -1,4 +1,4 @@
-//! Ships in waves that a soft hold keeps near their places, and what is said of those that nothing keeps.
+//! Ships in waves on a soft hold, and the warnings about ships that nothing holds.
 
 use crate::common;
 

@@ -1,4 +1,4 @@
-//! Hulls in still water: closed forms, the linear form, and what is no hull.
+//! Hulls in still water: closed forms, the linear form, and invalid hulls.
 
 use crate::common::hulls;
 

@@ -1,4 +1,4 @@
-//! Loaded hulls at rest and heeled: closed forms, what stays constant, what has no equilibrium.
+//! Loaded hulls at rest and heeled: closed forms, invariants, and hulls without an equilibrium.
 
 use crate::common::hulls;
 

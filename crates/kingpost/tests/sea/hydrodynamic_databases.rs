@@ -1,4 +1,4 @@
-//! Databases that no hull can have, and seas that a database does not cover, are told where they are read.
+//! Errors of impossible databases, and of seas outside a database's range, at the place where they are read.
 
 use crate::common;
 

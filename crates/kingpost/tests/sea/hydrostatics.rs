@@ -1,4 +1,4 @@
-//! How the barge floats with its crane: closed forms of a box, loads that hang, what is warned of.
+//! Floating position of the barge with its crane: closed forms of a box, hanging loads, warnings.
 
 use crate::common;
 
@@ -291,7 +291,7 @@ fn waves_too_short_for_the_directions_of_the_data_give_a_warning() {
     assert!(short.contains("resolve waves of 10.5 m and longer for its length of 20.0 m: 100.0 % of"), "{short}");
 }
 
-/// A tag line keeps the load from swinging; a line that lifts the hull is told of.
+/// A tag line keeps the load from swinging; a line that lifts the hull gives a warning.
 #[test]
 fn a_tag_line_restrains_a_load_and_a_line_that_lifts_the_hull_gives_a_warning() {
     let line = |first: &str, height: f64, stiffness: f64| {

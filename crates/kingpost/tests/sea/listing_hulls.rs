@@ -1,4 +1,4 @@
-//! Hulls that list: their hydrodynamics stand level, or in the attitude that they were computed in.
+//! Hulls with a list: hydrodynamics for the upright hull, or for the attitude for which they were computed.
 
 use crate::common;
 

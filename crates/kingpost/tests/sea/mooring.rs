@@ -1,4 +1,4 @@
-//! Drag and lines: what keeps a ship where it is.
+//! Drag and lines that hold a ship in position.
 
 use crate::common;
 
@@ -137,7 +137,8 @@ fn a_line_between_two_bodies_keeps_energy_and_momentum() {
     assert!(errors[0] < 1e-12 * size && errors[1] < 1e-5, "{errors:?} of {size}");
 }
 
-/// Checks that a ship that comes taut at the speed u leaves at about `u (1 - 2/3 a u)` (Hunt & Crossley 1975).
+/// Checks that a ship whose line becomes taut at the speed u leaves at about `u (1 - 2/3 a u)` (Hunt &
+/// Crossley 1975).
 #[test]
 fn dissipation_in_a_line_is_heat() {
     let line = HAWSER.replace("axial_stiffness_kN: 16", "axial_stiffness_kN: 16, dissipation_s_per_m: 0.1");

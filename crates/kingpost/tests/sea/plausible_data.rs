@@ -1,5 +1,5 @@
-//! Data that contradict themselves: excitation and damping, a waterplane and its mesh, RAOs in the other unit; and hulls that
-//! the water cannot carry.
+//! Inconsistent data: excitation and damping, a waterplane and its mesh, RAOs in the wrong unit; and hulls
+//! that the water cannot carry.
 
 use crate::common;
 

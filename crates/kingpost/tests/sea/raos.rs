@@ -1,4 +1,4 @@
-//! A ship that moves in waves by its displacement RAOs.
+//! A ship whose motion in waves is prescribed by its displacement RAOs.
 
 use crate::common;
 

@@ -1,4 +1,4 @@
-//! View of the sea: the hull's place in it and the surface around.
+//! View of the sea: the hull's position and the surface around it.
 
 use crate::common;
 

@@ -1,4 +1,4 @@
-//! Slack tanks in scenarios: metacentric height, heel, righting arms, energy, derivatives, bad input.
+//! Slack tanks in scenarios: metacentric height, heel, righting arms, energy, derivatives, invalid input.
 
 use crate::common;
 

@@ -1,4 +1,5 @@
-//! A hull that drifts: what of its loads belongs to the water's flow, to its slow place, and to the second order.
+//! A drifting hull: which of its loads depend on the flow of water, on its slowly varying position, and on
+//! second-order effects.
 
 use crate::common;
 

@@ -1,4 +1,4 @@
-//! Ships that a soft hold keeps near their places, against closed forms.
+//! Ships on a soft hold, against closed forms.
 
 use crate::common;
 
@@ -112,7 +112,7 @@ fn a_soft_hold_reports_offset_and_force_along_the_ships_heading() {
     assert!((values(&mut ship, "potential_energy")[0] / stored - 1.0).abs() < 1e-12);
 }
 
-/// A ship that tumbles and is far off: what the ledger is off by falls with the scheme's order, 4.
+/// For a ship that tumbles far from its target, the error of the ledger falls with the scheme's order, 4.
 #[test]
 fn its_energy_closes_to_the_order_of_the_scheme() {
     let initial = "position_m: [10, -5, 3], orientation_deg: [20, 10, 60], velocity_m_s: [1, 2, 0], \

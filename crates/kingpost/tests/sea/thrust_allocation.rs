@@ -1,4 +1,4 @@
-//! Shares of thrusters and response of a wave filter, against closed forms.
+//! Thrust allocation and the response of a wave filter, against closed forms.
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use kingpost::elements::dynamic_positioning::{Allocation, Thruster, ThrusterKind, WaveFilter};

@@ -1,4 +1,5 @@
-//! Fins that swim: Lighthill's force at the trailing edge, and bodies that change their shape in an ideal fluid.
+//! Swimming fins: Lighthill's force at the trailing edge, and bodies that change their shape in an ideal
+//! fluid.
 
 use crate::common;
 

@@ -1,4 +1,4 @@
-//! Loads of waves on hulls beside the linear ones, and the kinds of waves that make them: closed forms.
+//! Nonlinear wave loads on hulls, and the kinds of waves: closed forms.
 
 use crate::common;
 

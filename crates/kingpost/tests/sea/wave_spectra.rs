@@ -1,4 +1,4 @@
-//! Spectra and spreading against closed forms and the published figures.
+//! Spectra and spreading, against closed forms and published values.
 
 use kingpost::sea::waves::{
     Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, Spectrum, SpectrumTable, Spreading, Torsethaugen,
