@@ -9,8 +9,8 @@ use kingpost::simulation::Simulation;
 use serde_json::Value;
 use std::collections::HashMap;
 
-/// An arm that turns at 0.3 rad/s about the vertical through the origin, with a hook 5 m out on it and 2 m up, and a cart that
-/// goes along x at 0.5 m/s from x = 8 m, at z = -1 m.
+/// An arm that rotates at 0.3 rad/s about the vertical through the origin, with a hook at 5 m radius and 2 m
+/// height, and a cart that moves along x at 0.5 m/s from x = 8 m, at z = -1 m.
 fn arm_and_cart(sensors: &str) -> String {
     format!(
         "version: 1
@@ -35,7 +35,7 @@ forces:
     )
 }
 
-/// Where the hook is, in a frame on the cart.
+/// Returns the position of the hook in a frame on the cart.
 fn hook_from_cart(time_s: f64) -> [f64; 3] {
     let (sin, cos) = (0.3 * time_s).sin_cos();
     [5.0 * cos - 8.0 - 0.5 * time_s, 5.0 * sin, 3.0]
@@ -45,7 +45,7 @@ fn length(vector: [f64; 3]) -> f64 {
     vector.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
-/// The distance from a box of these half edges, where one of its faces, edges or corners is outside.
+/// Returns the distance from a box with these half edges, for a point outside it.
 fn from_box(point: [f64; 3], half: [f64; 3]) -> f64 {
     length(std::array::from_fn(|k| (point[k].abs() - half[k]).max(0.0)))
 }
@@ -125,7 +125,8 @@ fn over_waves(wave: &Wave, rest: &str) -> String {
     text.replacen("bodies:", &format!("sea: {{{}}}\nbodies:", wave.sea()), 1) + rest
 }
 
-/// Airy's wave in deep water, eta = a cos(k x - w t + phase); phases of a few turns round by 1e-14 m.
+/// Airy's wave in deep water, eta = a cos(k x - w t + phase); for phases of a few turns the rounding is 1e-14
+/// m.
 #[test]
 fn the_air_gap_is_the_height_over_a_regular_wave_at_the_point() {
     let wave = Wave::new(3.0, 7.0, 0.4);
@@ -160,7 +161,7 @@ fn whole_run(text: &str) -> Simulation {
     run
 }
 
-/// A crest passes the platform at half a period, 3.5 s, where the phase began with a trough.
+/// A crest passes the platform after half a period, 3.5 s, because the phase starts with a trough.
 #[test]
 fn a_limit_on_an_air_gap_is_exceeded_when_the_crest_passes() {
     let wave = Wave::new(3.0, 7.0, std::f64::consts::PI);
@@ -176,7 +177,8 @@ fn a_limit_on_an_air_gap_is_exceeded_when_the_crest_passes() {
     }
 }
 
-/// The cart comes to the quay at 0.5 m/s: its front is 4 m off where the run begins and 0 m where it ends, 8 s later.
+/// The cart moves to the quay at 0.5 m/s: its front is 4 m away at the start of the run and 0 m at its end, 8
+/// s later.
 #[test]
 fn a_limit_on_a_clearance_reports_the_smallest_value_and_its_time() {
     let rest = "sensors:
@@ -287,7 +289,8 @@ fn a_mistake_in_a_sensor_is_reported_at_its_place() {
     }
 }
 
-/// A body takes the prefix of its part and a point keeps its name; what stands on the world stands on the mounting.
+/// The prefix of the part is added to a body, and a point keeps its name; entries on the world move to the
+/// mounting.
 #[test]
 fn a_sensor_of_a_part_moves_to_the_mounting_of_the_part() {
     let part = arm_and_cart("sensors:\n  gap: {clearance: {first: {body: arm, point: hook}, second: {body: world, position_m: [1, 0, 0], shape: {plane: {}}}}}\n")

@@ -88,7 +88,7 @@ fn an_invalid_contact_is_refused_at_its_place() {
     }
 }
 
-/// 500 kg on four points of 20 kN/m would rest 61 mm deep.
+/// 500 kg on four points of 20 kN/m would rest at a penetration of 61 mm.
 #[test]
 fn a_deck_that_is_too_soft_for_its_load_is_refused() {
     let text = TEXT.replace("stiffness_N_per_m: 1e6\n      fr", "stiffness_N_per_m: 2e4\n      fr");
@@ -98,7 +98,7 @@ fn a_deck_that_is_too_soft_for_its_load_is_refused() {
     assert!(error.contains("where it rests: make it stiffer"), "{error}");
 }
 
-/// Falling 0.51 m on it, 500 kg go some 10 mm into 4 MN/m: v sqrt(m / 4 k) = 35 mm without its damping.
+/// 500 kg that fall from 0.51 m penetrate 4 MN/m by about 10 mm: v sqrt(m / 4 k) = 35 mm without damping.
 #[test]
 fn a_run_warns_of_a_load_with_excessive_penetration() {
     let text = TEXT.replace("1.01]", "1.52]").replace("duration_s: 60", "duration_s: 2");
@@ -108,7 +108,7 @@ fn a_run_warns_of_a_load_with_excessive_penetration() {
     assert!(warning.text.contains("more than its penetration_tolerance_m of 0.004 m"), "{warning:?}");
 }
 
-/// A switch takes the contact away: nothing touches, and the load falls through.
+/// With the contact disabled nothing touches, and the load falls through.
 #[test]
 fn a_disabled_contact_does_not_exist() {
     let off = TEXT.replace("contact:\n", "contact:\n      enabled: false\n");

@@ -30,7 +30,7 @@ drives:
 
 const STRONG: &str = "force_limit_kN: 50";
 
-/// Where it is and how fast it goes: m, m/s.
+/// Returns position and velocity: m, m/s.
 fn state(text: &str, time_s: f64) -> [f64; 2] {
     let mut moving = simulation(text);
     moving.step((time_s / 0.01).round() as usize).expect("it moves");
@@ -147,7 +147,8 @@ drives:
     assert!(values(&mut hoisting, "energy_error")[0].abs() < 1e-9 * scale);
 }
 
-/// `T + T^2 / (2 EA) = tau / R`, however fast the rope is pulled out or comes back: a winch of constant tension.
+/// `T + T^2 / (2 EA) = tau / R`, for any speed at which the rope is pulled out or returns: a winch of
+/// constant tension.
 #[test]
 fn a_winch_with_constant_torque_holds_the_tension_of_its_rope_while_the_other_end_moves() {
     for speed in [0.5, -0.5] {
@@ -192,7 +193,8 @@ drives:
     }
 }
 
-/// At rest a drive holds its joint where the scenario puts it, and a run begins with what that takes.
+/// At rest a drive holds its joint at the position in the scenario, and a run starts with the force that this
+/// needs.
 #[test]
 fn a_run_from_equilibrium_starts_with_the_drive_force_that_holds_the_load() {
     let begins = |set_point: &str| {

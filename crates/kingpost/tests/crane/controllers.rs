@@ -15,7 +15,7 @@ pub const STIFFNESS: f64 = 20.0;
 /// Mass of the cage, kg.
 pub const MASS: f64 = 2.0;
 
-/// A cage on a spring that a force of up to 10 N pushes by a lever: the linear pendulum. Damping ratio `zeta`.
+/// A cage on a spring, pushed by a lever with up to 10 N: the linear pendulum. Damping ratio `zeta`.
 pub fn oscillator(zeta: f64, step_s: f64, duration_s: f64, rest: &str) -> String {
     let damping = 2.0 * zeta * libm::sqrt(STIFFNESS * MASS);
     format!(
@@ -86,7 +86,8 @@ fn swing(simulation: &mut Simulation, zeta: f64) -> f64 {
     libm::hypot(x, (v + zeta * w * x) / (w * libm::sqrt(1.0 - zeta * zeta)))
 }
 
-/// The swing that is left by a shaper that is made for `made_for` times the true period, over that without one.
+/// Returns the ratio of the swing with a shaper to that without one; the shaper is made for `made_for` times
+/// the true period.
 fn left(kind: &str, zeta: f64, made_for: f64) -> f64 {
     let [shaped, free] = [kind, "none"].map(|kind| {
         let text = oscillator(zeta, 0.002, 4.5, &(shaper(kind, made_for * period_s(zeta), zeta) + MOVES));
@@ -97,7 +98,8 @@ fn left(kind: &str, zeta: f64, made_for: f64) -> f64 {
     shaped / free
 }
 
-/// Singer & Seering (1990): no swing is left. Runge-Kutta errs by (w h)^5 / 120 in a step, 4e-11 in a period of 1000 steps.
+/// Singer & Seering (1990): the residual swing is zero. The error of Runge-Kutta is (w h)^5 / 120 in a step,
+/// 4e-11 in a period of 1000 steps.
 #[test]
 fn a_shaped_command_leaves_no_swing_on_the_linear_pendulum() {
     for zeta in [0.0, 0.07] {
@@ -108,9 +110,9 @@ fn a_shaped_command_leaves_no_swing_on_the_linear_pendulum() {
     }
 }
 
-/// A shaper that is made for 1 + e times the period leaves |cos(pi (1 + e) / 2)| of the swing, if it is ZV, or the square of
-/// that, if it is ZVD, whatever the command. Impulses are split for the period of the shaper: beside it they err by up to
-/// (w h)^2 |1 - 1 / (1 + e)^2| / 8, 1e-6, which is 4e-5 of the square.
+/// A shaper made for 1 + e times the period leaves |cos(pi (1 + e) / 2)| of the swing if it is ZV, or the
+/// square of this if it is ZVD, for any command. Impulses are split for the period of the shaper: at another
+/// period their error is up to (w h)^2 |1 - 1 / (1 + e)^2| / 8, 1e-6, which is 4e-5 of the square.
 #[test]
 fn the_residual_of_a_shaper_off_its_period_is_the_closed_form() {
     for off in [-0.1, 0.1] {
@@ -122,7 +124,8 @@ fn the_residual_of_a_shaper_off_its_period_is_the_closed_form() {
     }
 }
 
-/// Singhose et al. (1994): an EI shaper leaves its tolerance at its period, and nothing at two periods beside it.
+/// Singhose et al. (1994): the residual of an EI shaper is its tolerance at its period, and zero at two
+/// periods on both sides.
 #[test]
 fn the_residual_of_an_ei_shaper_is_its_tolerance_at_its_period_and_zero_at_the_zeros_of_its_band() {
     // Its weights are divided by their sum, which the split of impulses changes by up to (w h)^2 / 8, 5e-6.

@@ -39,7 +39,7 @@ fn reading(simulation: &mut kingpost::Simulation) -> [f64; 3] {
     ["cylinder_length", "cylinder_rate", "cylinder_force"].map(|variable| values(simulation, variable)[0])
 }
 
-/// Energy and both momenta, beside what the weight does in a second.
+/// Returns energy and both momenta, relative to the work and impulse of the weight in a second.
 fn assert_ledger_closes(simulation: &mut kingpost::Simulation) {
     for error in ["energy_error", "momentum_error", "linear_momentum_error"] {
         let value = values(simulation, error)[0];

@@ -89,7 +89,8 @@ fn the_hook_load_is_the_weight_less_buoyancy_with_the_water_inside() {
     }
 }
 
-/// Water inside weighs and is inert alike: what falls with it falls freely. A box of no drag in the air: rounding.
+/// Water inside has weight and inertia, so it falls freely with the box. A box without drag in the air:
+/// rounding.
 #[test]
 fn a_full_load_in_the_air_falls_freely() {
     let text =

@@ -67,7 +67,8 @@ fn error(changes: &[(&str, Value)]) -> String {
     }
 }
 
-/// The spring of the deck for a period, and the rest of it that its weight leaves at 0.
+/// Stiffness of the deck's spring for a period, and its rest position, at which the weight leaves the deck at
+/// 0.
 fn of_period(period_s: f64) -> [(&'static str, Value); 2] {
     let square = TAU * TAU / (period_s * period_s);
     [
@@ -76,8 +77,9 @@ fn of_period(period_s: f64) -> [(&'static str, Value); 2] {
     ]
 }
 
-/// Amplitude of the residual at the period, by sums over two periods after the first 120 s; the drift from one period to the next,
-/// which is left of the start in the slow states of the prediction, is taken off.
+/// Returns the amplitude of the residual at the period, by sums over two periods after the first 120 s; the
+/// drift between the periods, which remains from the start in the slow states of the prediction, is
+/// subtracted.
 fn left(simulation: &mut Simulation, period_s: f64) -> f64 {
     simulation.step(12_000).unwrap();
     let steps = (100.0 * period_s) as usize;
@@ -99,7 +101,8 @@ fn left(simulation: &mut Simulation, period_s: f64) -> f64 {
     cosine.hypot(sine)
 }
 
-/// e^(-i w (tau + T_s/2)) sin(w T_s/2) / (w T_s/2) / (1 + i w T): what becomes of a velocity until the drum turns.
+/// e^(-i w (tau + T_s/2)) sin(w T_s/2) / (w T_s/2) / (1 + i w T): the transfer function from a velocity to
+/// the drum.
 pub fn carried(frequency: f64, delay_s: f64) -> [f64; 2] {
     let (half, lag) = (frequency * 0.025, frequency * 0.1);
     let size = half.sin() / half / (1.0 + lag * lag).sqrt();
@@ -135,7 +138,7 @@ fn band() -> PeriodBand {
     PeriodBand { shortest_period_s: 4.0, longest_period_s: 16.0, noise_share: 0.03, sampling_period_s: 0.05 }
 }
 
-/// The response of a filter at a frequency.
+/// Returns the frequency response of a filter.
 fn response(bank: &FilterBank, weights: &[f64], frequency: f64) -> [f64; 2] {
     let states = bank.response(frequency);
     weights.iter().zip(states).fold([0.0; 2], |[a, b], (weight, [c, d])| [a + weight * c, b + weight * d])
@@ -162,8 +165,8 @@ fn the_residual_with_prediction_agrees_with_the_response_of_its_filter() {
     }
 }
 
-/// The filter of heave leads by atan2(2 zeta w omega, omega^2 - w^2) = 28.6 degrees at 8 s and a cut-off of 20 s: as a
-/// residual 2 sin(14.3 deg) and more. The prediction undoes it.
+/// The heave filter leads by atan2(2 zeta w omega, omega^2 - w^2) = 28.6 degrees at 8 s and a cut-off of 20
+/// s: as a residual at least 2 sin(14.3 deg). The prediction cancels this lead.
 #[test]
 fn the_prediction_cancels_the_phase_of_the_sensors_filter() {
     let filter = ("sensors.mru.motion_reference_unit.heave_filter", json!({"cutoff_period_s": 20}));
@@ -287,7 +290,8 @@ fn the_speeds_of_an_operator_and_of_compensation_add_up() {
     assert!(residual.abs() < 0.04, "{residual} m");
 }
 
-/// A winch that is too slow: what it lacks is not caught up after the operator has stopped, and it comes back to the height.
+/// A winch that is too slow: the shortfall is not made up after the operator has stopped, and the load
+/// returns to its height.
 #[test]
 fn the_integral_does_not_wind_up_at_the_limit_of_the_drive() {
     let slow = ("drives.drive.controlled_drive.speed_limit_rad_s", json!(1.2));

@@ -35,7 +35,8 @@ fn changed(changes: &[(&str, Value)]) -> Simulation {
 
 const UNIT: &str = "sensors.inertial.inertial_unit";
 
-/// Returns the unit's findings over 40 s after 400 s: roll (rad), heave (m), heave rate (m/s), with their true values.
+/// Returns the unit's estimates over 40 s after 400 s: roll (rad), heave (m), heave rate (m/s), with their
+/// true values.
 fn settled(changes: &[(&str, Value)]) -> Vec<[[f64; 2]; 3]> {
     let mut simulation = changed(changes);
     simulation.step(20_000).unwrap();
@@ -60,9 +61,9 @@ fn largest(rows: &[[[f64; 2]; 3]], quantity: usize) -> f64 {
     off.iter().fold(0.0, |largest, x| largest.max((x - mean).abs()))
 }
 
-/// The unit is accelerated sideways by 5 m of lever times 10 degrees at 10 s, 0.34 m/s^2: an inclinometer there is off by 2 degrees.
-/// What passes of waves through the stationary gains is a few per cent of the displacement at most, and less of the velocity
-/// and of the tilt.
+/// The unit is accelerated sideways by a lever arm of 5 m times 10 degrees at 10 s, 0.34 m/s^2: an
+/// inclinometer would have an error of 2 degrees. Waves pass the stationary gains by a few per cent of the
+/// displacement at most, and by less of the velocity and of the tilt.
 #[test]
 fn an_inertial_unit_estimates_roll_heave_and_heave_rate_in_waves() {
     let rows = settled(&[]);
@@ -72,7 +73,7 @@ fn an_inertial_unit_estimates_roll_heave_and_heave_rate_in_waves() {
     assert!(rate < 0.01 * TAU / 8.0, "the heave rate is off by {rate} m/s");
 }
 
-/// The filter of a motion reference unit with a cut-off of 20 s leads by 34 degrees there.
+/// At this period, the filter of a motion reference unit with a cut-off of 20 s leads by 34 degrees.
 #[test]
 fn the_phase_is_correct_for_waves_of_half_or_twice_the_assumed_period() {
     for period_s in [4.5, 18.0] {
@@ -115,7 +116,8 @@ fn an_inertial_unit_at_rest_measures_the_reaction_to_its_weight() {
     assert!(values(&mut simulation, "measured_heave")[0].abs() < 1e-12);
 }
 
-/// A ship that draws 2 m more over two minutes: without a receiver this counts as no motion; with one it is found.
+/// A ship whose draught increases by 2 m over two minutes: without a receiver this does not count as motion;
+/// with a receiver it is estimated.
 fn sinking(with: &[(&str, Value)]) -> [f64; 2] {
     let history = json!({"travel": {"length_m": -2, "start_s": 10, "duration_s": 120, "ramp_s": 30}});
     let mut changes =

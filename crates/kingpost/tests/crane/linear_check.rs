@@ -24,7 +24,7 @@ fn the_linear_check_includes_the_integral() {
     }
 }
 
-/// A feedback by sensors grows as one by what they measure does.
+/// Feedback through sensors grows like feedback of the measured values themselves.
 #[test]
 fn the_linear_check_includes_feedback_through_sensors() {
     let growing = |column: &str, gain: f64| {

@@ -192,7 +192,7 @@ fn an_operator_moves_the_point_along_the_worlds_axes_while_the_deck_sways() {
     assert!(offset.iter().all(|off| off.abs() < 0.02), "{offset:?}");
 }
 
-/// Drives that are too slow give what they can; when the deck has stopped, the tip is back without an overshoot that was saved up.
+/// Drives that are too slow give their maximum; when the deck has stopped, the tip returns without overshoot.
 #[test]
 fn the_integrals_do_not_wind_up_at_the_limits_of_the_drives() {
     let slow = ("drives.slewing.controlled_drive.speed_limit_rad_s", json!(0.008));
@@ -210,7 +210,8 @@ fn the_integrals_do_not_wind_up_at_the_limits_of_the_drives() {
     assert!(most < 0.45, "{most} m");
 }
 
-/// With the boom level, luffing moves the tip only up and down: nothing can move it outward, and nothing is asked to.
+/// With the boom level, luffing moves the tip only up and down: no drive can move it outward, and no such
+/// speed is commanded.
 #[test]
 fn at_a_singular_position_the_speeds_stay_within_their_limits() {
     let level = ("bodies.boom.joint.revolute.initial_angle_deg", json!(0));

@@ -27,7 +27,7 @@ drives:
     )
 }
 
-/// 1 s at full force, coasting until the cage is beyond 4 m, braking until it stands, and then nothing.
+/// Full force for 1 s, coasting until the cage is beyond 4 m, braking until it is at rest, and then no force.
 pub const PUSH_COAST_BRAKE: &str = "operation:
   steps:
     - {name: push, set: [{input: push, to: 1}], until: {after_s: 1}}

@@ -25,7 +25,7 @@ controllers:
     )
 }
 
-/// Two units with tanh between two readings and the lever.
+/// Two tanh units between two readings and the lever.
 const LEARNED: &str = "  learned:
     policy:
       reads:
@@ -112,7 +112,7 @@ fn a_selector_passes_one_branch_and_no_other() {
     }
 }
 
-/// The feedback of the selected branch alone grows, as it does without a selector between it and the drive.
+/// Only the feedback of the selected branch grows, as without a selector between it and the drive.
 #[test]
 fn the_linear_check_includes_feedback_through_a_selector() {
     let growing = |controllers: &str| simulation(&cage(controllers)).growing_with_feedback();

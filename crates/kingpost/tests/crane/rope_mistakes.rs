@@ -115,7 +115,8 @@ fn an_invalid_path_is_refused_at_its_place() {
     }
 }
 
-/// The load's sphere of 0.6 m is no sheave: the rope ends in its centre, which the winch hauls into the fixed sheave.
+/// The load's sphere of 0.6 m is not a sheave: the rope ends at its centre, which the winch hauls into the
+/// fixed sheave.
 #[test]
 fn a_winch_that_hauls_its_load_into_the_sheave_is_an_event() {
     let text = TEXT.replace("rate_rad_s: 0", "rate_rad_s: -2").replace("step_s: 0.002", "step_s: 0.001");

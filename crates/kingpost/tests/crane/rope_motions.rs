@@ -46,7 +46,7 @@ fn lead() -> f64 {
     (25.0_f64 - 0.25).sqrt()
 }
 
-/// The time of the first upward crossing of the load's x through zero, by the cubic through two steps.
+/// Returns the time of the first upward zero crossing of the load's x, by the cubic through two steps.
 fn first_crossing(text: &str) -> f64 {
     let mut swinging = simulation(text);
     let mut before = swinging.state().clone();
@@ -212,7 +212,8 @@ forces:
     }
 }
 
-/// At rest the factor is 1 by the weight on each fall; a load of which the rope suddenly carries all swings up to 2.
+/// At rest the factor is 1 for the weight on each fall; a load whose full weight acts suddenly on the rope
+/// swings up to 2.
 #[test]
 fn the_dynamic_amplification_factor_of_a_rope_is_over_the_weight_in_air_on_each_fall() {
     let text = |length: f64| {
@@ -352,7 +353,7 @@ fn a_rope_parts_at_its_breaking_load_and_its_energy_is_lost() {
     assert!(values(&mut parting, "energy_error")[0].abs() < 1e-9 * lost);
 }
 
-/// Wherever a load hangs below it, a tip that it hangs on carries its weight.
+/// The tip carries the weight of a hanging load for any length of the rope.
 #[test]
 fn a_hanging_load_heels_a_ship_like_a_mass_fixed_at_the_tip() {
     let heel = |load: &str, forces: &str| {

@@ -81,8 +81,8 @@ fn a_load_released_by_a_user_stays_released() {
     assert!((values(&mut found, "rope_tension")[0] - 2000.0 * GRAVITY).abs() < 1e-3);
 }
 
-/// A load of 2 t stands on a stiff table under a hook that moves up at 0.5 m/s; its sling of 2 m is hooked on while the
-/// hook is 1.5 m above it.
+/// A load of 2 t stands on a stiff table under a hook that moves up at 0.5 m/s; its sling of 2 m is connected
+/// while the hook is 1.5 m above it.
 fn pick_up(rest: &str) -> String {
     format!(
         "version: 1

@@ -71,8 +71,8 @@ fn moments(simulation: &mut Simulation, variable: &str, steps: usize) -> [f64; 2
     [mean, (squares / steps as f64 - mean * mean).sqrt()]
 }
 
-/// Checks mean and deviation: of N samples the mean is known to sigma / sqrt(N) and the deviation to sigma / sqrt(2 N):
-/// four of each, N = 5000.
+/// Checks mean and deviation: with N samples the standard error of the mean is sigma / sqrt(N) and that of
+/// the deviation sigma / sqrt(2 N); the limit is four of these, N = 5000.
 #[test]
 fn noise_and_bias_have_the_given_size() {
     let mut simulation = changed(&[

@@ -7,14 +7,14 @@ use common::{simulation, values};
 use kingpost::simulation::Simulation;
 use std::f64::consts::PI;
 
-/// At a height, turned so and at rest.
+/// Returns the frame at a height with this orientation, at rest.
 fn held(height: f64, angles: [f64; 3], shape: &str) -> Simulation {
     // The axis is in the load's axes: upward, as any that does not move.
     let joint = format!("axis: [0, 0, 1], position_m: [0.3, -0.2, {height}], orientation_rad: {angles:?}, mode: held");
     simulation(&lowered(&joint, "", &format!("shape: {shape}"), "step_s: 0.01, duration_s: 1"))
 }
 
-/// Buoyancy over rho g is a volume.
+/// Returns the buoyancy as a volume: divided by rho g.
 fn volume(load: &mut Simulation) -> f64 {
     let force = values(load, "submerged_buoyancy");
     assert!(force[0].abs() + force[1].abs() < 1e-9 * (1.0 + force[2]), "{force:?}");
@@ -69,7 +69,7 @@ fn a_sphere_and_cylinders_displace_their_caps_and_segments() {
     }
 }
 
-/// Lowered at a steady speed from a height.
+/// An object lowered at a constant speed from a height.
 fn lowering(shape: &str, rest: &str, sea: &str, height: f64, step: f64) -> Simulation {
     let joint = format!(
         "axis: [0, 0, 1], position_m: [0, 0, {height}], mode: {{prescribed: {{speed_m_s: -{SPEED}, history: constant}}}}"
@@ -139,7 +139,7 @@ fn the_impulse_of_entry_is_the_added_mass_times_the_speed() {
     }
 }
 
-/// Shares of a box are its depths over its height; a sphere's at the depth d is d^2 (3 R - d) / (4 R^3).
+/// Shares of a box are depth over height; those of a sphere at the depth d are d^2 (3 R - d) / (4 R^3).
 #[test]
 fn the_growth_of_the_added_mass_over_depth_is_that_of_the_upright_solid() {
     let cap = |depth: f64| depth * depth * (3.0 - depth) / 4.0;

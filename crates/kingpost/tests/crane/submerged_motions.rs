@@ -82,7 +82,7 @@ forces:
     assert!(worst < second_order * orbit, "{} of {}", worst / orbit, second_order);
 }
 
-/// A body that is thrown into waves and current, turning.
+/// A body thrown into waves and current, with rotation.
 fn thrown(scheme: &str, step: f64) -> String {
     format!(
         "version: 1

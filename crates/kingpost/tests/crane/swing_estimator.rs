@@ -40,7 +40,8 @@ sensors:
 
 const GYROS: &str = "sensors.gyros.swing_estimator";
 
-/// Largest distance of roll and pitch from the truth over 60 s after a time, rad, and the largest swing then.
+/// Returns the largest error of roll and pitch over 60 s after a time, rad, and the largest swing in this
+/// time.
 fn largest_error(after_s: f64, changes: &[(&str, Value)]) -> [f64; 2] {
     let mut simulation = with_changes(TEXT, changes).unwrap_or_else(|error| panic!("{error}"));
     simulation.step((after_s / 0.02) as usize).unwrap();
@@ -69,7 +70,8 @@ fn the_estimator_finds_phase_and_amplitude_of_a_free_swing() {
     }
 }
 
-/// The swing keeps its plane while the load turns under it at 3 degrees per second: the states of the filter turn back.
+/// The swing keeps its plane while the load rotates below it at 3 degrees per second: the states of the
+/// filter rotate back.
 #[test]
 fn a_turning_load_does_not_turn_the_swing_in_the_filter() {
     let turning = json!({"travel": {"angle_deg": 1800, "start_s": 5, "duration_s": 600, "ramp_s": 10}});
