@@ -16,7 +16,8 @@ fn spans() -> impl Iterator<Item = Span> {
     heights.into_iter().flat_map(|up| [1e-3, 5.0, 45.0, 79.0, 82.0, 99.5, 130.0].map(|across| Span { across, up }))
 }
 
-/// Without stretch: `z = a (cosh(x_s/a) - 1)`, `L_s = a sinh(x_s/a)`, a = H/w, and what is left of L lies on the seabed.
+/// Without stretch: `z = a (cosh(x_s/a) - 1)`, `L_s = a sinh(x_s/a)`, a = H/w; the remainder of L lies on the
+/// seabed.
 #[test]
 fn an_inextensible_line_is_the_textbook_catenary() {
     for a in [3.0, 20.0, 90.0] {
@@ -55,7 +56,7 @@ fn the_computed_force_places_the_ends_at_their_positions() {
     }
 }
 
-/// Irvine's straight line: T = EA (d / L - 1), where its weight is nothing beside it.
+/// Irvine's straight line: T = EA (d / L - 1), if its weight is negligible.
 #[test]
 fn a_taut_line_is_a_spring() {
     let light = Catenary { weight: 1e-3, ..line(5e6, true) };
@@ -132,7 +133,7 @@ fn the_energy_is_that_of_weight_and_stretch() {
     }
 }
 
-/// Across the touchdown of the whole line and across slackness force and stiffness are continuous, though the
+/// At touchdown of the whole line and where it becomes slack, force and stiffness are continuous although the
 /// formulas change.
 #[test]
 fn nothing_jumps_where_the_line_lifts_off_or_goes_slack() {

@@ -29,7 +29,7 @@ fn response(scenario: &Scenario, columns: &[&str]) -> ColumnResponse {
     found.unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// A barge that lists, whose mast stands aside, so that all motions are coupled.
+/// A barge with a list, whose mast is off the middle, so that all motions are coupled.
 fn listing() -> Scenario {
     scenario(&[("shift_m", json!(0.3))])
 }
@@ -54,7 +54,8 @@ fn assert_near(found: Complex<f64>, expected: Complex<f64>, scale: f64, what: &s
     assert!(size(found - expected) <= 1e-9 * scale, "{what}: {found} beside {expected}");
 }
 
-/// Source: the response of places, angles and coordinates by the bodies' Jacobians, without rows of results.
+/// Source: the response of positions, angles and coordinates by the bodies' Jacobians, without rows of
+/// results.
 #[test]
 fn positions_angles_and_coordinates_have_the_frequency_response_of_motions() {
     let barge = listing();
@@ -131,7 +132,7 @@ fn the_hull_shows_the_waves_and_their_force() {
     }
 }
 
-/// Source: z less the elevation of the wave at the place of the point, `e^(i k . r)`.
+/// Source: z minus the elevation of the wave at the position of the point, `e^(i k . r)`.
 #[test]
 fn an_air_gap_is_the_height_over_the_wave_at_its_place() {
     let sensors = json!({"gap": {"air_gap": {"body": "hull", "position_m": [8.0, -3.0, 5.0]}}});

@@ -58,7 +58,7 @@ fn the_speed_of_a_power_law_is_that_at_a_depth_or_a_mean_over_the_draught() {
     assert_eq!(speed(sea, ", speed: {at_depth: {depth_m: 20}}"), 0.0);
 }
 
-/// Drag is V |V|: of a current that turns round with the depth, as much as what is left of its halves.
+/// Drag is V |V|: for a current that reverses with depth, that of the difference of both halves.
 #[test]
 fn a_current_that_reverses_with_depth_acts_with_the_difference() {
     let table =
@@ -102,8 +102,8 @@ fn invalid_profiles_are_refused() {
     refused(&profile(TABLE), deep, "current_load.speed.at_depth.depth_m: found 51, allowed: at most sea.depth_m, 50");
 }
 
-/// A ship whose damping is relative to the earth stays in a current, one whose damping is relative to the water goes with it by
-/// v = U (1 - e^(-c t / m)) or, quadratic, U (1 - 1 / (1 + c U t / m)).
+/// A ship whose damping is relative to the earth stays in a current; a ship whose damping is relative to the
+/// water is carried along by v = U (1 - e^(-c t / m)) or, quadratic, U (1 - 1 / (1 + c U t / m)).
 #[test]
 fn damping_is_relative_to_the_water_or_to_the_earth() {
     let after_50_s = |damping: &str, start: &str| {

@@ -104,8 +104,8 @@ fn a_free_ship_returns_with_its_period_and_damping() {
     assert!((ship.state().q[0] - expected).abs() < 3.0 * omega * 1e-3);
 }
 
-/// With gains that are alike in surge and sway a ship goes straight to its target however it turns meanwhile, and it turns
-/// the short way over pi.
+/// With equal gains in surge and sway a ship moves straight to its target, however it rotates meanwhile, and
+/// it rotates by the smaller angle across pi.
 #[test]
 fn a_ship_moves_straight_to_its_target_and_turns_by_the_smaller_angle() {
     let quick = STRONG.replace("time_constant_s: 2", "time_constant_s: 0.01");
@@ -166,7 +166,8 @@ fn the_integral_takes_a_constant_load_in_its_time() {
 const WEAK: &str = "bow: {tunnel: {position_m: [30, 0, 0], max_thrust_kN: 50, time_constant_s: 2}}, \
                     stern: {azimuth: {position_m: [-30, 0, 0], max_thrust_kN: 120, time_constant_s: 2}}";
 
-/// Far from its target a ship gets what its thrusters have, along the way there, and no thruster more than it has.
+/// Far from its target a ship gets the full thrust of its thrusters in the direction of the target, and no
+/// thruster exceeds its limit.
 #[test]
 fn beyond_its_limits_the_thrust_keeps_its_direction_at_the_largest_magnitude() {
     let initial = "position_m: [300, 400, 0]";
@@ -199,8 +200,8 @@ fn thrust_acts_where_the_thruster_is() {
     assert!((a[5] * INERTIA - (force[2] + 5.0 * force[1])).abs() < 1e-4);
 }
 
-/// A ship that comes from far with thrusters at their limits does not pile up its integral: without, it shoots past its
-/// target by far more.
+/// The integral of a ship that comes from far with thrusters at their limits does not wind up: otherwise the
+/// ship would overshoot its target by much more.
 #[test]
 fn an_integral_does_not_wind_up_while_thrusters_are_at_their_limits() {
     let with_integral = GAINS.replace("integral: false, ", "");
@@ -277,7 +278,7 @@ fn a_ship_holds_its_station_in_current_and_waves() {
     assert!(thrust < 4e4, "the thrusters answer the waves: {thrust} N");
 }
 
-/// Checks that the bits are the same after a snapshot, and those of each run in a batch of several.
+/// Checks that a run after a snapshot, and each run in a batch of several, is bitwise identical.
 #[test]
 fn snapshots_and_batches_are_bitwise_identical() {
     let mut ship = at_sea(&station(""), &[]);
@@ -350,7 +351,7 @@ fn positioning_is_linearised_exactly() {
     }
 }
 
-/// How the beginning at rest, and the run from there, change with the current.
+/// Derivatives of the rest at the start, and of the run from there, with respect to the current.
 #[test]
 fn equilibria_have_their_derivatives() {
     let short = station(AT_REST).replace("duration_s: 20", "duration_s: 1");

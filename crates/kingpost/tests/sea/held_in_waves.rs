@@ -54,8 +54,9 @@ fn hann(k: usize, steps: usize) -> f64 {
     (1.0 - libm::cos(TAU * k as f64 / steps as f64)) / steps as f64
 }
 
-/// In a head sea D of the database, per amplitude squared, over the stiffness. First-order loads leave a mean of 5 % of D at
-/// most (`slow_motion.rs`); what is left of the swing at the start, damped by 0.7, is below 1e-6.
+/// In a head sea the offset is D of the database, per amplitude squared, over the stiffness. First-order
+/// loads leave a mean of 5 % of D at most (`slow_motion.rs`); the remainder of the swing at the start, damped
+/// by 0.7, is below 1e-6.
 #[test]
 fn the_offset_of_a_ship_in_mean_drift_is_the_drift_over_the_stiffness() {
     let springs = json!({"natural_periods_s": [60, 60, 60], "damping_ratios": [0.7, 0.7, 0.7]});

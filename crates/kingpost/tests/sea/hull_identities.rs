@@ -56,7 +56,7 @@ proptest! {
         prop_assert!(distance(&wrench, &differences) < 1e-6 * scale());
     }
 
-    /// The pressure integrated over the wetted surface, component by component, against the
+    /// The pressure integrated over the wetted surface, component by component, is compared with the
     /// divergence theorem.
     #[test]
     fn the_pressure_of_still_water_gives_the_same_wrench((turn, height) in any_pose()) {
@@ -68,8 +68,8 @@ proptest! {
         prop_assert!(distance(&pressure, &buoyancy) < 1e-13 * scale());
     }
 
-    /// A sea that slopes, with the pressure of its own depth, is still water under a tilted
-    /// vertical and a greater gravity.
+    /// A sloping sea, with the pressure of its depth, is still water under a tilted vertical and a greater
+    /// gravity.
     #[test]
     fn the_pressure_below_a_slope_is_that_of_water_at_rest_under_tilted_gravity(
         (turn, height) in any_pose(), slope in -0.8..0.8_f64
@@ -111,7 +111,7 @@ proptest! {
         prop_assert!(distance(&differences, &expected) < 2.0 * h * 1e-5 * scale(), "{differences:?} {expected:?}");
     }
 
-    /// The swell is at most 1 m high: what is above need not be asked for, unless a neighbour may be wet.
+    /// The swell is at most 1 m high: vertices above need no evaluation, unless a neighbour can be wet.
     #[test]
     fn a_vertex_among_dry_ones_is_not_evaluated_and_the_sum_is_unchanged((turn, height) in any_pose()) {
         let (mesh, pose) = (skew_ship(), place(turn, height));
@@ -217,8 +217,7 @@ fn no_vertex_of_a_hull_above_all_waves_is_evaluated() {
     assert_eq!(wrench, Wrench::zero());
 }
 
-/// The heading and the place on the sea do not matter, and the frame in which a hull is drawn does
-/// not either.
+/// The heading, the position on the sea, and the frame in which a hull is drawn have no effect.
 #[test]
 fn buoyancy_does_not_depend_on_heading_and_frame() {
     let (mesh, pose) = (skew_ship(), place([0.3, -0.4, 0.2], 0.6));

@@ -34,7 +34,7 @@ fn a_box_floats_at_the_draught_and_with_the_metacentres_of_its_closed_forms() {
     close(along, 0.75 + 400.0 / 18.0 - 2.5, 1e-13);
 }
 
-/// Wall-sided: `(GM + BM/2 tan^2) tan = d` for a weight d off the middle, across as along.
+/// Wall-sided: `(GM + BM/2 tan^2) tan = d` for a weight at the distance d off the middle, in both directions.
 #[test]
 fn a_box_heels_to_the_side_and_trims_to_the_end_where_its_weight_is() {
     let (mesh, [gm, bm]) = (box_barge(2), [1.0 + 25.0 / 6.0 - 2.0, 25.0 / 6.0]);
@@ -171,8 +171,8 @@ fn a_ship_floats_where_its_righting_arm_is_zero_and_its_slope_is_the_metacentric
     near(there.trim, heeled.trim, 1e-12);
 }
 
-/// A ball balances in every position; one of flat triangles, whose sides differ a little, lies down
-/// where its energy is least.
+/// A ball balances in every position; one of flat triangles, whose sides differ slightly, rolls to the
+/// position of least energy.
 #[test]
 fn a_ball_of_triangles_rolls_until_it_rests() {
     let equilibrium = FloatingEquilibrium::find(&sphere(5.0, 4), &loading(200.0, [0.0; 3])).unwrap();

@@ -65,7 +65,7 @@ fn a_box_barge_floats_with_the_metacentres_of_its_closed_forms() {
     }
 }
 
-/// A load that hangs acts where it hangs from: KG rises by m l / M (Barrass & Derrett, ch. 6).
+/// A hanging load acts at its suspension point: KG rises by m l / M (Barrass & Derrett, ch. 6).
 #[test]
 fn a_hanging_load_raises_the_centre_of_gravity_by_its_moment_over_the_mass() {
     let hull = afloat(&[]);
@@ -81,7 +81,7 @@ fn a_hanging_load_raises_the_centre_of_gravity_by_its_moment_over_the_mass() {
     }
 }
 
-/// A joint that is held in one axis lets the load swing about the other only.
+/// A joint with one held axis lets the load swing only about the other axis.
 #[test]
 fn a_load_that_swings_about_one_axis_reduces_gm_about_that_axis() {
     let held = |axis: &str| (format!("bodies.load.joint.universal.{axis}.mode"), json!("held"));
@@ -165,8 +165,8 @@ fn the_righting_arms_are_those_of_the_side_that_the_ship_lists_to() {
     assert!(largest[0].arm_m < small, "a list takes of the arm: {largest:?} {small}");
 }
 
-/// The GM of the report is the heel that a small moment makes: `W GM phi = moment`, with the load free
-/// to swing.
+/// The GM of the report agrees with the heel by a small moment: `W GM phi = moment`, with the load free to
+/// swing.
 #[test]
 fn a_small_moment_heels_by_the_fluid_metacentric_height() {
     let gm = afloat(&[]).metacentric_height_m[0];
@@ -323,8 +323,8 @@ fn on_line() -> String {
         )
 }
 
-/// Compares a load by the same length below the same point, once on its joint and once on a line: GM and the mass
-/// afloat are the same, and nothing else carries the ship.
+/// Compares a load with the same length below the same point, once on its joint and once on a line: GM and
+/// the floating mass are equal, and nothing else carries the ship.
 #[test]
 fn a_load_on_a_line_reduces_the_metacentric_height_like_one_on_a_pendulum() {
     let on_joint = afloat(&[]);
@@ -345,7 +345,8 @@ fn a_load_on_a_line_reduces_the_metacentric_height_like_one_on_a_pendulum() {
     }
 }
 
-/// A load on a line with a hull of its own, heavier than what that displaces, is no ship that sinks.
+/// A load on a line, with a hull whose displacement is less than the load's mass, does not count as a sinking
+/// ship.
 #[test]
 fn a_load_with_a_hull_that_cannot_float_is_a_warning() {
     let wet = json!({"hydrodynamics": {
@@ -359,7 +360,8 @@ fn a_load_with_a_hull_that_cannot_float_is_a_warning() {
     assert!(told.is_some_and(|words| words.starts_with("no hydrostatics of load")), "{report:?}");
 }
 
-/// Checks what a run rests by: under linear hydrostatics the heel is theirs, and the curve of the mesh has another.
+/// Checks which buoyancy a run uses at rest: with linear hydrostatics the heel is the linear one, and the
+/// curve of the mesh has another.
 #[test]
 fn the_report_states_whether_the_equilibrium_uses_the_mesh() {
     for (hydrostatics, by_mesh) in [("linear", false), ("mesh", true)] {

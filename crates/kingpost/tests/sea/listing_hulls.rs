@@ -47,8 +47,9 @@ fn amplitudes(scenario: &Scenario, direction_rad: f64, omega_rad_s: f64) -> [f64
     [row(0), row(1), row(2), row(angles), row(angles + 1), row(angles + 2)]
 }
 
-/// In a head sea a box that lists by a weight is lifted along the vertical, and not pushed aside: Capytaine's coefficients of
-/// a heeled box make its sway below 0.004 m/m. Tilted added mass under level loads made 0.1 m/m of it.
+/// In a head sea, a box with a list due to a weight is lifted vertically, and not pushed aside: Capytaine's
+/// coefficients of a heeled box give a sway below 0.004 m/m. Tilted added mass with level loads would give
+/// 0.1 m/m.
 #[test]
 fn a_barge_that_lists_does_not_sway_in_a_head_sea() {
     let listing = scenario(BARGE, &[]);
@@ -60,7 +61,8 @@ fn a_barge_that_lists_does_not_sway_in_a_head_sea() {
     }
 }
 
-/// Checks the response of a listing barge by a run: the sea pushes it aside no more than its response says.
+/// Checks the response of a listing barge against a run: the sway of the run does not exceed that of the
+/// response.
 #[test]
 fn a_run_of_a_barge_that_lists_has_its_response() {
     let waves = json!({"swell": {"regular": {"height_m": 0.02, "period_s": 6.0, "direction_rad": 2.5}}});

@@ -37,7 +37,7 @@ fn a_rate_with_quadratic_damping_decays_as_one_over_time() {
     }
 }
 
-/// `m u' = -(b - i g) u` for u = v_x + i v_y: what is symmetric in the matrix damps, what is skew turns.
+/// `m u' = -(b - i g) u` for u = v_x + i v_y: the symmetric part of the matrix damps, the skew part rotates.
 #[test]
 fn a_full_matrix_of_damping_couples_the_rates() {
     let row = |x: f64, y: f64| format!("[{x}, {y}, 0, 0, 0, 0]");
@@ -72,7 +72,7 @@ fn linear_damping_at_a_point_is_relative_to_the_stream() {
     }
 }
 
-/// In the water's own frame the body is slowed as above; the ledger books the current's work.
+/// In the frame of the water the body is slowed as above; the ledger contains the current's work.
 #[test]
 fn a_current_carries_a_body_along() {
     let drag =
@@ -118,7 +118,7 @@ fn a_spring_line_pulls_and_never_pushes() {
     assert!((ship.state().v[0] - 2.0).abs() < 1e-4);
 }
 
-/// A swinging body on an elastic rope keeps its energy; both ends get the same pull.
+/// A swinging body on an elastic rope conserves its energy; both ends have the same tension.
 #[test]
 fn a_line_between_two_bodies_keeps_energy_and_momentum() {
     let tied = "  barge:\n    mass_kg: 5000\n    shape: {box: {length_m: 4, width_m: 3, height_m: 1}}\n    \
@@ -164,8 +164,9 @@ fn lines_and_drag_are_linearised_exactly() {
     ));
 }
 
-/// Lines that hang, and lift off and lie down on the seabed, keep the energy that they are given. A step over the
-/// hawser's coming taut with the speed v errs by a share of k (v h)^2, 10 J here, of which RK4 leaves a hundredth.
+/// Lines that hang, lift off and lie down on the seabed conserve their energy. In a step in which the hawser
+/// becomes taut with the speed v, the error is a share of k (v h)^2, 10 J here, of which RK4 leaves a
+/// hundredth.
 #[test]
 fn a_moored_body_conserves_its_energy() {
     let mut simulation = simulation(&moored());

@@ -138,7 +138,7 @@ fn an_excitation_twice_or_half_of_haskinds_gives_a_warning_with_its_mode() {
     }
 }
 
-/// Roll damping by viscosity is many times that of waves; a file may hold both.
+/// Viscous roll damping is many times that of waves; a file can contain both.
 #[test]
 fn viscous_roll_damping_in_a_database_gives_a_warning_and_is_not_refused() {
     let database = spoilt(|all| {
@@ -173,7 +173,8 @@ fn a_waterplane_that_differs_from_the_mesh_gives_a_warning_or_is_refused() {
     }
 }
 
-/// A ship that rides the surface of long waves over this depth: heave 1, roll `k sin b`, pitch `k cos b`, in this unit.
+/// A ship that follows the surface of long waves over this depth: heave 1, roll `k sin b`, pitch `k cos b`,
+/// in this unit.
 fn riding(unit: &str, factor: [f64; 2], depth_m: Option<f64>) -> String {
     let water = Water { depth_m, ..Water::default() };
     let mut text = format!(

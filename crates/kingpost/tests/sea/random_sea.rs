@@ -74,7 +74,7 @@ fn three_hours_of_the_sea_have_its_significant_height() {
     }
 }
 
-/// By construction the waves together have the energy of the whole spectrum.
+/// By construction the sum of the waves has the energy of the whole spectrum.
 #[test]
 fn deterministic_amplitudes_have_the_significant_height_of_the_spectrum() {
     for components in [1, 2, 30, 200, 1000] {
@@ -187,8 +187,8 @@ fn frequencies_are_in_order_within_the_band_and_never_equal() {
     assert!((significant_height_of_components_m(&waves) / kept - 1.0).abs() < 1e-7);
 }
 
-/// `Int S dw = Hs^2 / 16 e^(-(5/4) (w_p / w)^4)` from 0 to w of Pierson and Moskowitz' spectrum: what is cut off is not made
-/// up for by the rest, and at an end at which nothing is cut off the sea is as it was.
+/// `Int S dw = Hs^2 / 16 e^(-(5/4) (w_p / w)^4)` from 0 to w of Pierson and Moskowitz' spectrum: the other
+/// waves do not replace the energy that is cut off, and at an end without a cut the sea is unchanged.
 #[test]
 fn a_cut_takes_the_energy_of_the_spectrum_there_and_leaves_the_rest() {
     let spectrum = Spectrum::PiersonMoskowitz(PiersonMoskowitz::new(2.5, 8.0).unwrap());
@@ -238,8 +238,8 @@ fn a_measured_record_is_reproduced_at_its_position_and_time() {
     }
 }
 
-/// Checks that the sums that a table keeps are the same: of one band, of another that goes beyond it, and of the first
-/// again.
+/// Checks that the sums stored in a table do not change: of one band, of another band beyond it, and of the
+/// first band again.
 #[test]
 fn the_waves_of_a_table_are_bitwise_identical_at_every_call() {
     let taken = record(&system().components(3, 0, &Water::default()).unwrap(), 0.5, 300.5);
@@ -259,7 +259,7 @@ fn a_file_without_waves_is_an_error() {
     assert!(error.to_string().contains("no waves in the record: every elevation is 0 m"), "{error}");
 }
 
-/// Parseval's theorem: what a band cuts off is what the other harmonics hold.
+/// Parseval's theorem: the energy that a band cuts off is that of the other harmonics.
 #[test]
 fn a_band_keeps_its_harmonics_of_a_record_only() {
     let tone = |n: u32, cycles: f64| (TAU * cycles * f64::from(n) / 600.0).cos();

@@ -33,7 +33,7 @@ fn csv() -> String {
     text
 }
 
-/// Returns the table in OrcaFlex's words, with every convention turned over.
+/// Returns the table in OrcaFlex's format, with every convention reversed.
 fn orcaflex() -> String {
     let mut text = "%YAML 1.1\n# Type: Model\n---\nVesselTypes:\n  - Name: Ship\n    Length: 80\n    RAOResponseUnits: radians\n    \
                     RAOWaveUnit: amplitude\n    WavesReferredToBy: frequency (Hz)\n    RAOPhaseConvention: leads\n    \
@@ -77,7 +77,8 @@ fn build(text: &str, raos: String) -> Result<Simulation, String> {
 
 const REGULAR: &str = "waves: {swell: {regular: {height_m: 3, period_s: 8, direction_deg: 120}}}";
 
-/// a |X| cos(w t - k.x - lag) at the ship's place and heading, its rate and its acceleration; the mean place and heading stay.
+/// a |X| cos(w t - k.x - lag) at the ship's position and heading, its rate and its acceleration; the mean
+/// position and heading do not change.
 #[test]
 fn a_ship_in_a_regular_wave_moves_by_its_raos() {
     let place = ", position_m: [30, -20, 1], heading_deg: 30";
@@ -114,7 +115,7 @@ fn a_ship_in_a_regular_wave_moves_by_its_raos() {
     assert!((position[0] - 30.0).abs() < 3.0 && (position[1] + 20.0).abs() < 3.0);
 }
 
-/// The work of what moves the ship is its energy, through the ramp and in a random sea.
+/// The work of the prescribed motion is the ship's energy, through the ramp and in a random sea.
 #[test]
 fn the_work_of_a_prescribed_wave_motion_is_in_the_ledger() {
     let sea = "ramp_s: 10, waves: {wind: {jonswap: {significant_height_m: 2, peak_period_s: 9, direction_deg: 40}}}";
@@ -169,7 +170,7 @@ fn phases_may_refer_to_the_wave_at_another_point() {
     assert_eq!(of_point, of_origin);
 }
 
-/// Surge, heave and pitch are the same in the mirrored wave; sway, roll and yaw turn their sign.
+/// Surge, heave and pitch are equal in the mirrored wave; sway, roll and yaw change sign.
 #[test]
 fn half_a_circle_of_directions_is_enough_for_a_symmetric_ship() {
     let half: String = csv()

@@ -48,8 +48,8 @@ fn corrections(density: f64) -> [f64; 2] {
     [length * breadth.powi(3), breadth * length.powi(3)].map(|moment| density * moment / (12.0 * MASS))
 }
 
-/// GM falls by `rho i / M`, wherever the tank is and however full (Barrass & Derrett, *Ship Stability for Masters
-/// and Mates*, ch. on free surface). Settling leaves 1e-9 of each.
+/// GM falls by `rho i / M`, for any position and filling of the tank (Barrass & Derrett, *Ship Stability for
+/// Masters and Mates*, ch. on free surface). Settling leaves 1e-9 of each.
 #[test]
 fn a_free_surface_reduces_the_metacentric_height_by_its_second_moment_over_the_displacement() {
     let without = afloat(&barge_with(tank(0.5, json!({"enabled": false})), &[]));
@@ -155,7 +155,7 @@ fn the_heel_by_a_small_moment_follows_gm_reduced_by_the_present_free_surface() {
     }
 }
 
-/// Liquid that hangs with a load does not heel with the ship.
+/// Liquid in a hanging load does not heel with the ship.
 #[test]
 fn a_tank_on_a_mast_reduces_the_metacentric_height_and_one_in_a_hanging_load_does_not() {
     let on = |body: &str| {
@@ -168,7 +168,7 @@ fn a_tank_on_a_mast_reduces_the_metacentric_height_and_one_in_a_hanging_load_doe
     near(on("mast"), hanging + OIL * 16.0 / (12.0 * MASS), 1e-8);
 }
 
-/// A body on a hinge along y, its centre of mass on it: nothing but the tank turns it.
+/// A body on a hinge along y, with its centre of mass on the hinge: only the tank exerts a moment.
 fn hinged(fields: &str, angle: f64) -> String {
     format!(
         "version: 1\ntitle: A tank on a hinge\nsimulation: {{step_s: 0.01, duration_s: 20}}\nbodies:\n  drum:\n    \
@@ -201,8 +201,8 @@ fn a_full_an_empty_and_a_disabled_tank_do_nothing() {
     }
 }
 
-/// It turns over and over, the surface meeting every wall: RK4's error with a step of 10 ms, and where a surface passes
-/// a corner the third derivative jumps.
+/// The tank turns over and over, and the surface meets every wall: RK4's error with a step of 10 ms, plus the
+/// jump of the third derivative where a surface passes a corner.
 #[test]
 fn energy_closes_while_a_tank_turns_over() {
     let error = |step_s: f64| {

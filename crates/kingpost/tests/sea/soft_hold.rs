@@ -71,7 +71,8 @@ fn a_soft_hold_moves_a_ship_neither_up_nor_down_nor_in_roll_and_pitch() {
     assert!(velocity[2].abs() < 1e-12 && rates[..3].iter().all(|rate| rate.abs() < 1e-12), "{velocity:?} {rates:?}");
 }
 
-/// Its moment does work on yaw as an angle, none on roll and pitch: along the columns of omega = E (roll', pitch', yaw').
+/// Its moment does work on yaw as an angle, and none on roll and pitch: along the columns of omega = E
+/// (roll', pitch', yaw').
 #[test]
 fn a_heeled_and_trimmed_ship_gets_a_moment_of_yaw_alone() {
     let initial = "position_m: [4, 1, 3], orientation_deg: [12, -8, 25]";
@@ -187,7 +188,8 @@ fn the_stiffness_of_a_soft_hold_includes_the_added_mass() {
     }
 }
 
-/// Without a target it is held where the scenario puts it; at equilibrium, heeled and trimmed, the point that is held is there.
+/// Without a target the ship is held at its initial position; at equilibrium, heeled and trimmed, the held
+/// point is there.
 #[test]
 fn a_ship_is_held_where_it_starts_and_rests_there() {
     let mut moved = held_barge(json!({"body": "hull"}));

@@ -60,7 +60,8 @@ fn mass_per_length() -> f64 {
     FRAC_PI_4 * 1000.0 * SPAN * SPAN
 }
 
-/// Mean thrust over one period of the steady oscillation: what the carriage need not push, and the force at the edge.
+/// Mean thrust over one period of the steady oscillation: the reduction of the carriage's force, and the
+/// force at the edge.
 fn thrusts(text: &str) -> [f64; 2] {
     let mut simulation = simulation(text);
     simulation.step(3 * SAMPLES).unwrap();

@@ -16,7 +16,7 @@ const BEGIN: &str = "simulation.begin_at_equilibrium";
 const MAST: &str = "bodies.mast.joint.prismatic.position_m";
 const SWELL: &str = "sea.waves.swell.regular.enabled";
 
-/// A run's values of one entry of a channel.
+/// Returns the values of one entry of a channel over a run.
 fn column(channels: &[Channel], run: &Run, variable: &str, entry: usize) -> Vec<f64> {
     let channel = channels.iter().find(|channel| channel.variable == variable).expect("a channel");
     run.rows.chunks_exact(run.columns).map(|row| row[channel.offset + entry]).collect()
@@ -32,7 +32,7 @@ fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |most, value| value.abs().max(most))
 }
 
-/// Rolls, pitches and drifts, with a swinging load.
+/// A barge that rolls, pitches and drifts, with a swinging load.
 const MOTION: [(&str, &str); 2] = [
     ("bodies.hull.joint.floating.initial.orientation_rad", "[0.05, 0.02, 0.4]"),
     ("bodies.hull.joint.floating.initial.velocity_m_s", "[0.5, -0.3, 0.2]"),
@@ -128,7 +128,7 @@ fn linear_and_mesh_hydrostatics_agree_at_small_angles() {
     assert!((linear[2] - (2.0 - draught)).abs() < 1e-3, "{}", linear[2]);
 }
 
-/// The water has always seen it move so: there is no transient either.
+/// The barge has always moved in this way relative to the water, so there is no transient.
 #[test]
 fn a_steady_drift_in_calm_water_leaves_no_drag() {
     let overrides = [
@@ -147,7 +147,8 @@ fn a_steady_drift_in_calm_water_leaves_no_drag() {
     }
 }
 
-/// A line of 2e5 N/m pulls it by 2 m and goes slack. Once the waves that the pull made are gone, the speed stays.
+/// A line of 2e5 N/m pulls the barge by 2 m and becomes slack. After the waves from the pull have radiated
+/// away, the speed stays constant.
 #[test]
 fn a_hull_that_was_pulled_radiates_waves_and_then_drifts_without_drag() {
     let line = json!({"spring_line": {
@@ -336,7 +337,7 @@ fn runs_in_one_sea_in_lanes_are_bitwise_identical_to_single_runs() {
     }
 }
 
-/// The spectrum of the barge's wind sea at gamma = 1: `e^(-(5/4) (w_p / w)^4)` of its energy is below w.
+/// The share of the energy of the barge's wind sea below w, at gamma = 1, is `e^(-(5/4) (w_p / w)^4)`.
 #[test]
 fn a_cut_of_a_spectrum_is_described_and_one_of_nothing_is_refused() {
     let jonswap = "sea.waves.wind_sea.jonswap";

@@ -129,8 +129,8 @@ fn a_regular_wave_has_the_closed_form() {
     assert!((field.elevation_m([1.0 / k, 0.0], 1.0) - 1.0).abs() < 1e-15);
 }
 
-/// Wheeler (1970): the field at the surface is the linear one of still water, and the pressure there,
-/// static and dynamic, is that of the air. The bottom stays the bottom.
+/// Wheeler (1970): the field at the surface is the linear one of still water, and the total pressure there is
+/// atmospheric. The bottom does not move.
 #[test]
 fn the_pressure_at_the_moving_surface_is_zero() {
     for water in [SHALLOW, Water::default()] {
@@ -288,8 +288,8 @@ fn the_field_supports_derivatives_and_lanes() {
     assert_eq!(together, [plain.pressure_pa(point, TIME); 4]);
 }
 
-/// Against the plain sums of sines and exponentials, point by point. Phases are up to 40 turns, so off by 1e-14 of a turn
-/// or 7e-14 rad in either, on 8 m of waves.
+/// Comparison with the plain sums of sines and exponentials, point by point. Phases are up to 40 turns, so
+/// their error is 1e-14 of a turn or 7e-14 rad in each, for 8 m of waves.
 #[test]
 fn the_waves_at_many_points_are_those_of_the_plain_sum_at_each() {
     for water in [SHALLOW, Water { depth_m: None, ..SHALLOW }] {
@@ -311,7 +311,8 @@ fn the_waves_at_many_points_are_those_of_the_plain_sum_at_each() {
     }
 }
 
-/// One regular wave: no surface is above its amplitude, and its crest is there, but for the billionth left for rounding.
+/// One regular wave: the surface never exceeds its amplitude, and its crest reaches it, except for the 1e-9
+/// allowed for rounding.
 #[test]
 fn the_upper_bound_of_the_surface_is_the_sum_of_all_amplitudes() {
     let wave = WaveComponent::regular(3.0, TAU, 0.0, 0.0, &SHALLOW).unwrap();
@@ -348,7 +349,7 @@ fn points_in_lanes_are_bitwise_identical_to_single_points() {
     }
 }
 
-/// By central differences along all three axes, as of the plain sum.
+/// Agrees with central differences along all three axes, like the plain sum.
 #[test]
 fn the_waves_at_points_support_derivatives() {
     let over: Vec<WaveComponent<Dual<3>>> = waves(&SHALLOW).iter().map(|wave| wave.constant()).collect();

@@ -8,7 +8,7 @@ use kingpost::scenario::{Files, Scenario, ScenarioError, read_with};
 use kingpost::simulation::Simulation;
 use serde_json::{Value, json};
 
-/// A hull that stays where the loads are taken from: its slow frame does not move.
+/// A hull at the position at which loads are evaluated: its slow frame does not move.
 const TEXT: &str = "
 version: 1
 title: A hull in waves
