@@ -71,7 +71,8 @@ fn a_lever_is_an_input_of_the_linearised_system() {
     assert!((linear.b[(1, 0)] - 8.0 / 4.0).abs() < 1e-14 && linear.b[(0, 0)] == 0.0);
 }
 
-/// On its head it rests, and falls with `e^(t / T)`, T = sqrt(J / m g l), to what differences find of A; hanging it stays.
+/// Upside down the rod is at rest, and falls with `e^(t / T)`, T = sqrt(J / m g l), to the accuracy of A by
+/// differences; hanging it stays.
 #[test]
 fn an_unstable_equilibrium_is_reported_with_its_growth_rate() {
     let settled = |angle: f64| simulation(&scenario(&pendulum(angle))).settle().expect("it rests").instability;
@@ -126,8 +127,8 @@ forces:
   gravity: {gravity: {}}
 ";
 
-/// It hangs straight, with its loop closed. About it A takes (1, -1, 1), the only motion that the
-/// loop lets pass, to itself times -(m + M) g L / (2 m L^2 / 3 + M L^2).
+/// The plank hangs straight, with its loop closed. A maps (1, -1, 1), the only motion that the loop allows,
+/// to itself times -(m + M) g L / (2 m L^2 / 3 + M L^2).
 #[test]
 fn a_closed_loop_settles_closed_and_a_keeps_to_its_tangents() {
     let scenario = scenario(SWING);
@@ -164,7 +165,8 @@ drives:
 forces: {gravity: {gravity: {}}}
 ";
 
-/// Shear of short segments is far stiffer than the bending of the whole boom. It rests as if it did not slew.
+/// Shear of short segments is far stiffer than the bending of the whole boom. The boom comes to rest as if it
+/// did not slew.
 #[test]
 fn stiff_parts_do_not_prevent_soft_parts_from_settling() {
     let text = include_str!("../../../../scenarios/flexible_boom.yaml");
@@ -310,7 +312,7 @@ fn a_gradient_without_d_or_without_names_is_refused() {
     assert!(gradient(&read_paper(&[]), &[], |_| true).is_err());
 }
 
-/// Newton's iteration ends where it does whatever the derivatives, within its own tolerance.
+/// Newton's iteration ends at the same solution for any derivatives, within its tolerance.
 #[test]
 fn an_implicit_scheme_makes_the_same_steps_with_exact_derivatives_as_with_differences() {
     for integrator in ["newmark", "generalized_alpha", "implicit_midpoint"] {

@@ -46,7 +46,7 @@ loops:
     )
 }
 
-/// The difference of two angles, turns left out.
+/// Returns the difference of two angles, without whole turns.
 fn apart(a: f64, b: f64) -> f64 {
     let difference = a - b;
     difference.sin().atan2(difference.cos()).abs()
@@ -294,8 +294,8 @@ loops:
     )
 }
 
-/// Everything that the next step depends on is in the state: after a run that ended at a dead centre each way back
-/// gives the bits of a simulation that has not been there.
+/// Everything on which the next step depends is in the state: after a run that ended at a dead centre, a
+/// simulation restored in any way is bitwise identical to one that was never there.
 #[test]
 fn a_dead_centre_has_no_effect_after_the_simulation_is_restored() {
     for integrator in common::INTEGRATORS {
@@ -324,8 +324,8 @@ fn a_dead_centre_has_no_effect_after_the_simulation_is_restored() {
     }
 }
 
-/// Dormand-Prince's inner steps go on over the closing of loops after each step: how often the state is asked for hardly
-/// changes how often the rates are, and the motion is the same within the tolerances.
+/// Dormand-Prince's inner steps continue across the closing of loops after each step: the number of output
+/// states hardly changes the number of evaluations, and the motion is equal within the tolerances.
 #[test]
 fn ten_times_as_many_output_states_need_few_additional_evaluations() {
     let run = |step_s: f64| {

@@ -5,9 +5,9 @@ use kingpost::scenario::{self, Scenario};
 use kingpost::simulation::Simulation;
 use serde_json::{Value, json};
 
-/// Points that a line of an element is drawn through.
+/// Number of points of a drawn line.
 const POINTS: usize = 49;
-/// A drawn line ends where its ends are but for the last digits, m.
+/// Largest distance of the ends of a drawn line from its true ends, m: the last digits.
 const ROUNDING_M: f64 = 1e-9;
 
 /// A ship that hangs where it is put, with a load on a rope and lines of all kinds; its drawing frame is on its keel.
@@ -158,7 +158,7 @@ fn the_inertia_of_solids_is_described() {
     }
 }
 
-/// Source: what hangs together with the world does not fall.
+/// Source: a body that is connected to the world does not fall.
 #[test]
 fn a_body_without_support_gives_a_warning() {
     let solid = |joint: Value| json!({"mass_kg": 12, "shape": {"sphere": {"radius_m": 1}}, "joint": joint});

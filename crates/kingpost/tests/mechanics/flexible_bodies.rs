@@ -9,7 +9,7 @@ use kingpost::scenario::read;
 use kingpost::simulation::Simulation;
 use nalgebra::{DMatrix, DVector};
 
-/// Small enough for deflections to be in proportion, m/s^2.
+/// Small enough for deflections to be proportional to loads, m/s^2.
 const GRAVITY: f64 = 1e-4;
 const LENGTH: f64 = 20.0;
 const MASS: f64 = 500.0;
@@ -28,7 +28,7 @@ fn slender() -> Cantilever {
 /// A slender bar that does not shear: its second moments are small beside the square of its area.
 const SLENDER: &str = "{general: {area_m2: 0.01, second_moments_m4: [1.0e-5, 2.0e-5], torsion_constant_m4: 1.0e-5}}";
 
-/// A beam clamped to the world at its start, in a weak gravity, and what else hangs on it.
+/// A beam clamped to the world at its start, in a weak gravity, with additional parts.
 fn clamped(segments: u32, section: &str, more: &str) -> String {
     format!(
         "version: 1
@@ -63,7 +63,7 @@ fn linear(text: &str) -> (Simulation, DVector<f64>, DMatrix<f64>, DMatrix<f64>) 
     (simulation, linear.accelerations(), linear.stiffness(), by_rate)
 }
 
-/// Height of the tip where the beam rests: nothing accelerates.
+/// Returns the height of the tip with the beam at rest: all accelerations are zero.
 fn tip_at_rest(text: &str) -> f64 {
     let (mut simulation, acceleration, by_position, _) = linear(text);
     let rest = by_position.lu().solve(&-acceleration).expect("a beam has a stiffness");

@@ -32,7 +32,8 @@ fn the_formulas_of_b_and_its_rate_have_the_values_of_the_matrices() {
     }
 }
 
-/// Random vectors lie along no axis; here those do that the formulas leave out.
+/// Random vectors are not along an axis; here the vectors whose zero terms the formulas omit are along an
+/// axis.
 #[test]
 fn formulas_without_the_zero_terms_of_axes_have_the_correct_values() {
     for mut simulation in [paper_simulation(), common::simulation(&common::everything("recursive"))] {

@@ -48,7 +48,7 @@ fn slide(mode: MotionType, elements: Vec<AnyElement>, q: f64, v: f64) -> Setup {
     }
 }
 
-/// Steps on by a time and checks that energy and heat are accounted for to `tolerance`, J.
+/// Continues for a time and checks that energy and heat balance to `tolerance`, J.
 fn run(simulation: &mut Simulation, seconds: f64, tolerance: f64) -> (f64, f64) {
     simulation.step((seconds / STEP_S).round() as usize).unwrap();
     let error = values(simulation, "energy_error")[0].abs();

@@ -10,7 +10,7 @@ const GRAVITY: f64 = 9.80665;
 const BODY: &str =
     "mass_kg: 3, inertia: {tensor: {moments_kg_m2: [0.4, 0.6, 0.9], products_kg_m2: [0.05, -0.1, 0.02]}}";
 
-/// A body on a joint, with gravity and what else.
+/// A body on a joint, with gravity and other elements.
 fn one_body(joint: &str, more: &str) -> String {
     format!("version: 1\ntitle: One body\nbodies: {{body: {{{BODY}, joint: {joint}}}}}\n{more}\n")
 }
@@ -158,7 +158,7 @@ fn stops_keep_a_hinge_within_its_limits_and_the_ledger_closes() {
     assert!(values(&mut simulation, "energy_error")[0].abs() < 1e-3 * energy);
 }
 
-/// The error of a body's joint, without the place.
+/// Returns the error of a body's joint, without its place.
 fn refusal(joint: &str, more: &str) -> String {
     let text = one_body(joint, more);
     let error = read(&text, "x.yaml", &[]).and_then(|s| s.setup().map(drop)).expect_err("this should be refused");

@@ -155,7 +155,7 @@ fn invalid_motions_of_joints_are_refused() {
     }
 }
 
-/// The way of a travel, and of a list along a share, are linear in them: derivatives are exact.
+/// The distance of a travel, and of a list with a share, is linear in these numbers: derivatives are exact.
 #[test]
 fn distances_and_shares_have_derivatives_and_times_do_not() {
     let slew = "mode: {travel: {angle_rad: 1.2, duration_s: 8, ramp_s: 2}}";

@@ -125,7 +125,7 @@ fn zero_between(from: (f64, f64, f64), to: (f64, f64, f64)) -> f64 {
     from.0 + lower * h
 }
 
-/// Mount that a top stands on and a pendulum hangs from.
+/// Joint on which a top stands or a pendulum hangs.
 #[derive(Clone, Copy, Debug)]
 enum Mount {
     /// Euler's hinges: about the vertical, about the level, of a top also about its own axis. The point
@@ -150,7 +150,7 @@ fn leaning(found: &Simulation, mount: Mount) -> [f64; 2] {
 }
 
 impl Mount {
-    /// How far apart two angles about the vertical are; hinges count turns, a ball does not.
+    /// Returns the difference of two angles about the vertical; hinges count turns, a ball does not.
     fn apart(self, a: f64, b: f64) -> f64 {
         let difference = a - b;
         match self {

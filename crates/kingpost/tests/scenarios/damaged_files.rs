@@ -13,10 +13,11 @@ use std::sync::LazyLock;
 
 const SPHERE: &str = include_str!("../../../../scenarios/hydro/sphere.hydro.json");
 const RAOS: &str = include_str!("../../../../scenarios/hydro/supply_boat.raos.csv");
-/// The longest text that an error may be.
+/// Largest length of an error.
 const LONGEST: usize = 2_000;
 
-/// Snapshots of a run whose integrator keeps something between steps, and of one whose does not.
+/// Snapshots of a run whose integrator has a memory from step to step, and of a run whose integrator has
+/// none.
 fn run(integrator: &str) -> Simulation {
     let settings = [&format!("simulation.integrator={integrator}") as &str, "simulation.duration_s=1"];
     let mut simulation = set(&settings).simulation().unwrap();
@@ -60,7 +61,7 @@ fn damaged(text: &'static str) -> impl Strategy<Value = String> {
     })
 }
 
-/// The largest place up to this one where a character begins.
+/// Returns the largest index up to this one at which a character starts.
 fn floor(text: &str, place: usize) -> usize {
     (0..=place.min(text.len())).rev().find(|&at| text.is_char_boundary(at)).unwrap_or(0)
 }

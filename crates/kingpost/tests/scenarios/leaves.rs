@@ -49,12 +49,12 @@ fn leaves(value: &Value, path: &str, into: &mut Vec<(String, f64, bool)>) {
     }
 }
 
-/// Every eighth number stands for its kind by default; each takes the building of five models.
+/// By default every eighth number represents its kind; each requires five models to be built.
 fn stride() -> usize {
     if env::var("KINGPOST_LANE").as_deref() == Ok("thorough") { 1 } else { 8 }
 }
 
-/// How far a number is moved: derivatives are compared at this step and at twice it.
+/// Change of a number: derivatives are compared at this step and at twice this step.
 fn step_of(value: f64, whole: bool) -> f64 {
     if whole { 1.0 } else { 1e-4 * value.abs().max(0.1) }
 }
@@ -132,7 +132,7 @@ fn moved(case: &Case, [start, every]: [usize; 2], failures: &mut Vec<String>) ->
     all
 }
 
-/// Fields that decide how a run is made up: no derivative follows them.
+/// Fields that determine the structure of a run: no derivative exists.
 const STRUCTURE: [&str; 49] = [
     "simulation.",
     ".pulse.",
@@ -330,7 +330,7 @@ fn every_number_of_an_offshore_vessel_can_differ_between_runs_and_has_its_deriva
     check(&["offshore_vessel.yaml", "offshore_vessel_moored.yaml", "offshore_vessel_on_dp.yaml"], 2.0);
 }
 
-/// The height that a wind is taken at is each run's own: the higher, the more of it by the power law.
+/// The height of a wind can differ between runs: by the power law, a greater height gives a higher speed.
 #[test]
 fn a_batch_over_the_height_of_a_wind_load_has_four_winds() {
     let case = case("offshore_vessel_on_dp.yaml", 8.0);
@@ -379,7 +379,7 @@ fn files_below(folder: &Path) -> Vec<PathBuf> {
     entries.flat_map(|path| if path.is_dir() { files_below(&path) } else { vec![path] }).collect()
 }
 
-/// Builders compute with all of a number: none takes its first lane, or its value without its derivatives.
+/// Builders use the whole number: none uses only its first lane, or its value without its derivatives.
 #[test]
 fn no_builder_uses_only_the_first_of_several_numbers() {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");

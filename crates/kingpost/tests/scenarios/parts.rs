@@ -63,7 +63,8 @@ fn entries_of_a_part_on_the_world_move_to_its_mounting() {
     near(numbers(&rolled, "/loops/crane_stay/first/position_m"), [5.0, -3.0, 3.5]);
 }
 
-/// A crane that falls with the ship under it, turned as a whole, moves as the one that was written so.
+/// A crane that falls with the ship below it, mounted with a rotation, moves like one that was written with
+/// the rotation.
 #[test]
 fn a_rotated_mounting_equals_a_crane_written_with_the_rotation() {
     let end = |scenario: &Scenario| {
@@ -129,7 +130,7 @@ fn a_mounting_is_set_from_outside_like_any_field() {
     assert!(swapped.unwrap_or_else(|error| panic!("{error}")).bodies.contains_key("crane_drag_link_port"));
 }
 
-/// The place of a part is a parameter like any other, where everything of the part stands at its origin.
+/// The position of a part is a parameter like any other, if everything in the part is at its origin.
 #[test]
 fn a_parameter_moves_a_crane_on_the_deck() {
     let place =

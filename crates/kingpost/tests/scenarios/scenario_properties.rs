@@ -7,7 +7,7 @@ use paper_text::{PAPER, set, try_set};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 
-/// A scenario in which every kind of body, joint, force and drive stands once.
+/// A scenario with every kind of body, joint, force and drive once.
 const EVERYTHING: &str = r#"
 version: 1
 title: Everything
@@ -210,7 +210,7 @@ fn every_number_refuses_a_value_outside_its_range_with_the_range() {
     }
 }
 
-/// Bits of YAML that come near to a scenario.
+/// Fragments of text that resemble YAML.
 fn near_yaml() -> impl Strategy<Value = String> {
     let token = prop::sample::select(vec![
         "version: 1",

@@ -56,7 +56,7 @@ fn the_written_schema_of_equations_is_that_of_the_types() {
     );
 }
 
-/// Every property of a schema, with its name. That of a kind without fields of its own is described by the kind.
+/// Returns every property of a schema, with its name. A kind without fields is described by the kind itself.
 fn properties(schema: &Value, into: &mut Vec<(String, Value)>) {
     match schema {
         Value::Array(entries) => entries.iter().for_each(|entry| properties(entry, into)),

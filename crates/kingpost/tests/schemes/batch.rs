@@ -21,7 +21,7 @@ fn alone(variant: &Variant) -> Run {
     Simulation::new(paper_setup(&pairs)).run(|_| true)
 }
 
-/// Numbers and switches, so that some stand in full lanes, some in part-filled ones, some alone.
+/// Numbers and switches, so that some runs are in full lanes, some in partly filled ones, and some alone.
 fn variants() -> Vec<Variant> {
     let mut all: Vec<Variant> = (0..10).map(|k| variant(&[("crane_x_m", json!(-9.3 + k as f64))])).collect();
     all.extend((0..3).map(|k| variant(&[("load", json!(true)), ("bodies.load.mass_kg", json!(500 + 100 * k))])));

@@ -62,7 +62,7 @@ fn gravity<S: Scalar>() -> AnyElement<S> {
     Box::new(Gravity)
 }
 
-/// A stop at zero that gives a share of the speed back (Newton's law of impact).
+/// A stop at zero that returns a share of the speed (Newton's law of impact).
 #[derive(Clone, Debug)]
 struct Floor<S> {
     restitution: S,
@@ -114,7 +114,7 @@ fn a_ball_hits_a_stop_at_the_time_of_the_closed_form() {
     }
 }
 
-/// The energy that impacts take is heat, and the momentum that they give comes from outside.
+/// The energy lost in impacts is heat, and the momentum change comes from outside.
 #[test]
 fn the_ledger_closes_over_impacts() {
     let mut simulation = ball(1.3, 0.7, SchemeName::RungeKutta4);
@@ -154,7 +154,7 @@ fn derivatives_follow_through_an_event() {
     }
 }
 
-/// A brake that comes on where an angle is passed, and is viscous from then on.
+/// A brake that is applied when an angle is passed, and is viscous from then on.
 #[derive(Clone, Debug)]
 struct Catch {
     angle: f64,
@@ -340,7 +340,7 @@ fn an_element_that_responds_to_itself_without_end_stops_the_run() {
             Declaration { modes: vec!["turns".to_owned()], events, ..Declaration::default() }
         }
 
-        /// Falls through zero 1e-6 s after each answer.
+        /// An element that falls through zero 1e-6 s after each response.
         fn event_indicators(&mut self, at: &Context<'_, S>, values: &mut [S]) {
             let next = 0.001 + 1e-6 * at.modes[0] as f64;
             values[0] = S::constant(next - at.clock.time_s);

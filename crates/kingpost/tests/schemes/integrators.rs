@@ -11,7 +11,7 @@ use kingpost::simulation::{RunError, Setup};
 use kingpost::spatial::{Quaternion, Vector3};
 use serde_json::json;
 
-/// 1 kg on a spring of stiffness omega^2, from rest at 1 m; the spring is a servo of no limit.
+/// 1 kg on a spring of stiffness omega^2, from rest at 1 m; the spring is a servo without limits.
 fn oscillator(settings: &str, omega: f64, step_s: f64) -> Simulation {
     let stiffness = omega * omega;
     common::simulation(&format!(

@@ -41,8 +41,8 @@ fn pushed_n(warning: &Warning) -> f64 {
     words.split(' ').next().and_then(|word| word.parse().ok()).expect("a number")
 }
 
-/// Let go from rest it carries m g cos(angle) along the rod first, to the share that the sphere's own inertia changes, at the
-/// angle itself none: beyond 90 degrees it pushes.
+/// Released from rest, the rod first carries m g cos(angle), except for the share of the sphere's inertia,
+/// which is zero at the angle itself: beyond 90 degrees it pushes.
 #[test]
 fn a_pendant_that_goes_over_the_top_gives_a_warning() {
     let angle = f64::to_radians(122.0);
@@ -74,7 +74,7 @@ fn rod(height_m: f64, orientation_rad: [f64; 3]) -> Run {
     }))
 }
 
-/// It carries the weight: from above it pulls, from below it pushes, whatever its axes are.
+/// The rod carries the weight: from above it pulls, from below it pushes, for any directions of its axes.
 #[test]
 fn a_massless_rod_in_compression_gives_a_warning() {
     for orientation in [[0.0; 3], [0.7, -0.4, 1.2]] {
@@ -112,7 +112,8 @@ fn a_linear_hull_with_excessive_heel_or_trim_gives_a_warning() {
     assert!(warned(&[[0.0, 0.0, 5.0], [19.0, -19.0, 5.5]]).is_empty());
 }
 
-/// Sunk by 4 m upright the deck, 3 m over the centre of mass, is 0.5 m under where the centre is at -3.5 m.
+/// If the hull sinks by 4 m upright, the deck, 3 m above the centre of mass, is 0.5 m under water when the
+/// centre is at -3.5 m.
 #[test]
 fn a_linear_hull_whose_deck_submerges_gives_a_warning() {
     let found = warned(&[[0.0, 0.0, 0.5], [0.0, 0.0, -1.0], [0.0, 0.0, -3.5], [0.0, 0.0, -3.2]]);
@@ -121,7 +122,7 @@ fn a_linear_hull_whose_deck_submerges_gives_a_warning() {
     assert!(deck.text.contains("deck went 0.50 m under still water, first at 2 s"), "{}", deck.text);
 }
 
-/// At a heel of 30 degrees the deck's edge is 3 sin 30 under and 3 cos 30 over the centre of mass.
+/// At a heel of 30 degrees the deck's edge is 3 sin 30 below and 3 cos 30 above the centre of mass.
 #[test]
 fn the_deck_edge_submerges_on_the_lower_side() {
     let lowest = 3.0 * (f64::to_radians(30.0).cos() - f64::to_radians(30.0).sin());
@@ -149,7 +150,7 @@ fn a_mean_heading_counts_from_its_start_and_through_full_turns() {
     assert!(turned.text.starts_with(begin) && turned.time_s == 48.0 && turned.name == "hull", "{turned:?}");
 }
 
-/// Yaw of 20 degrees with waves of 15 s leaves 0.5 degrees in the mean, however long it lasts.
+/// Yaw of 20 degrees with waves of 15 s changes the mean by 0.5 degrees, for any duration.
 #[test]
 fn yaw_at_wave_frequency_does_not_change_the_mean_heading() {
     let wave = |time_s: f64| 20.0 * libm::sin(core::f64::consts::TAU * time_s / 15.0);

@@ -15,7 +15,7 @@ thread_local! {
     static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
 }
 
-/// Counts what this thread allocates.
+/// Counts the allocations of this thread.
 struct Counting;
 
 // SAFETY: every call is handed to the system allocator unchanged.
@@ -187,7 +187,7 @@ fn euler_with_a_large_step_diverges_and_keeps_what_it_computed() {
     }
 }
 
-/// 1 kg that a force pushes along a slide: its speed stays a number, its kinetic energy does not.
+/// 1 kg that a force pushes along a slide: its speed stays finite, its kinetic energy does not.
 const PUSHED: &str = "
 version: 1
 title: A force beyond all forces
