@@ -193,7 +193,7 @@ def test_an_input_that_a_controller_sets_names_its_signal() -> None:
     assert free == ["swing_feedback.luffing.target_offset"]
     for name, one in simulation.inputs.items():
         if one.signal is not None:
-            with pytest.raises(kingpost.KingpostError, match=f"as it takes {one.signal}"):
+            with pytest.raises(kingpost.KingpostError, match=f"because it is connected to {one.signal}"):
                 simulation.set_input(name, 0.0)
 
 

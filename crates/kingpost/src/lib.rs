@@ -1,13 +1,13 @@
 //! Ship-and-crane dynamics at sea by the moving frame method.
 //!
-//! The modules are listed in reading order, which is the order of dependency: each uses only those
-//! before it. Data flows one way:
+//! The modules are listed in reading order, which is the order of dependency: each uses only those before it.
+//! Data flow in one direction:
 //!
 //! ```text
 //! scenario -> model -> dynamics (+ loads from forces, drives) -> integrator -> results -> views
 //! ```
 //!
-//! The engine has no input or output, clock, printing or unseeded randomness.
+//! The engine does not read or write files, print, read a clock, or use random numbers without a seed.
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]

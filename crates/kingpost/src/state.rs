@@ -2,35 +2,36 @@
 
 use thiserror::Error;
 
-/// Everything that the next step depends on. Snapshots contain plain numbers, without derivatives.
+/// Everything on which the next step depends. Snapshots contain plain numbers, without derivatives.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct State<S = f64> {
-    /// Steps taken: the time is `steps * step size`.
+    /// Number of steps taken: the time is `steps * step size`.
     pub steps: u64,
-    /// Positions; the layout is the model's.
+    /// Positions, in the order of the model.
     pub q: Vec<S>,
     /// Velocities.
     pub v: Vec<S>,
     /// Continuous extra states: the ledger's integrals, then those of the elements.
     pub s: Vec<S>,
-    /// Discrete numbers, which change between steps only: the values of the inputs, then those of the elements.
+    /// Discrete numbers, which change only between steps: the values of the inputs, then those of the
+    /// elements.
     pub d: Vec<S>,
-    /// Modes of the elements, which change between steps only.
+    /// Modes of the elements, which change only between steps.
     pub m: Vec<i64>,
-    /// The integrator's memory from step to step.
+    /// Memory of the integrator from step to step.
     pub memory: Vec<S>,
 }
 
-/// A snapshot that does not belong to this simulation.
+/// Reason why a snapshot cannot be restored in this simulation.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum SnapshotError {
-    /// The bytes do not begin like a snapshot of this version.
+    /// The bytes do not start like a snapshot of this version.
     #[error("these bytes are not a Kingpost snapshot of version {allowed}")]
     Format {
-        /// The version that can be read.
+        /// Version that can be read.
         allowed: u8,
     },
-    /// It was taken from a simulation with another setup: another scenario, or other parameters.
+    /// The snapshot is from a simulation with another setup: another scenario, or other parameters.
     #[error("the snapshot is of another setup: its fingerprint is {found:016x}, this one's {allowed:016x}")]
     Setup {
         /// Fingerprint in the snapshot.
@@ -38,30 +39,30 @@ pub enum SnapshotError {
         /// Fingerprint of this simulation.
         allowed: u64,
     },
-    /// It was taken from a run of another structure.
+    /// The snapshot is from a run with another structure.
     #[error("the snapshot has {found} numbers in {part}, this simulation has {allowed}")]
     Shape {
         /// The part of the state.
         part: &'static str,
-        /// Numbers in the snapshot.
+        /// Number of entries in the snapshot.
         found: u64,
-        /// Numbers in this simulation.
+        /// Number of entries in this simulation.
         allowed: usize,
     },
-    /// Some of its bytes have changed.
+    /// Some bytes of the snapshot have changed.
     #[error("the snapshot is damaged: its checksum is {found:016x}, that of its bytes {allowed:016x}")]
     Damaged {
-        /// The checksum at its end.
+        /// Checksum at the end of the snapshot.
         found: u64,
-        /// The checksum of the bytes before it.
+        /// Checksum of the bytes before it.
         allowed: u64,
     },
-    /// It ends too early or too late.
+    /// The snapshot is too short or too long.
     #[error("the snapshot has {found} bytes, {allowed} are needed")]
     Length {
-        /// Bytes given.
+        /// Number of bytes given.
         found: usize,
-        /// Bytes needed.
+        /// Number of bytes needed.
         allowed: usize,
     },
 }
@@ -69,14 +70,14 @@ pub enum SnapshotError {
 const MAGIC: [u8; 7] = *b"kingpst";
 const VERSION: u8 = 3;
 
-/// Bytes before the numbers: the magic word and the version.
+/// Number of bytes before the numbers: the magic word and the version.
 const HEADER: usize = MAGIC.len() + 1;
 
-/// Words before the parts: the fingerprint and the steps.
+/// Number of words before the parts: the fingerprint and the steps.
 const LEAD: usize = 2;
 const PARTS: [&str; 6] = ["q", "v", "s", "d", "memory", "m"];
 
-/// A digest of bytes: FNV-1a (Fowler, Noll & Vo). A different byte changes it.
+/// Returns a digest of bytes: FNV-1a (Fowler, Noll & Vo). A change of one byte changes the digest.
 pub(crate) fn digest(bytes: &[u8]) -> u64 {
     let byte = |hash: u64, byte: &u8| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
     bytes.iter().fold(0xcbf2_9ce4_8422_2325, byte)
@@ -102,8 +103,8 @@ impl<S: Copy> State<S> {
 }
 
 impl State {
-    /// The state as bytes, little endian; [`State::restore`] gives back the same bits. `fingerprint` identifies the
-    /// setup.
+    /// Returns the state as bytes, little endian; [`State::restore`] restores it bitwise.
+    /// `fingerprint` identifies the setup.
     pub fn snapshot(&self, fingerprint: u64) -> Vec<u8> {
         let mut bytes = Vec::from(MAGIC);
         bytes.push(VERSION);
@@ -119,8 +120,7 @@ impl State {
         bytes
     }
 
-    /// Overwrites this state with a snapshot of the same setup and shape; on an error nothing
-    /// changes.
+    /// Replaces this state by a snapshot of the same setup and shape; on an error nothing changes.
     pub fn restore(&mut self, bytes: &[u8], fingerprint: u64) -> Result<(), SnapshotError> {
         let words = self.words(bytes, fingerprint)?;
         self.steps = words[1];
@@ -138,7 +138,7 @@ impl State {
         Ok(())
     }
 
-    /// The words of a snapshot, once it is known to fit.
+    /// Returns the words of a snapshot, after checks that it fits this state.
     fn words(&self, bytes: &[u8], fingerprint: u64) -> Result<Vec<u64>, SnapshotError> {
         if bytes.len() < HEADER || bytes[..MAGIC.len()] != MAGIC || bytes[MAGIC.len()] != VERSION {
             return Err(SnapshotError::Format { allowed: VERSION });
@@ -187,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn a_snapshot_gives_back_the_same_bits() {
+    fn a_restored_snapshot_is_bitwise_identical() {
         let mut other = state();
         (other.q[1], other.m[0]) = (9.0, 4);
         other.restore(&state().snapshot(5), 5).unwrap();

@@ -1,4 +1,4 @@
-//! ARCHITECTURE.md says what may import what; this holds the code to it.
+//! Checks that imports follow the rules of ARCHITECTURE.md.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -37,8 +37,8 @@ fn files_below(folder: &Path, ending: &str) -> Vec<PathBuf> {
     found
 }
 
-/// The floor that a module of a room stands on: `elements/ropes/fields` is a part of `scenario/schema`, `elements/ropes/assembly` of
-/// `scenario/assembly`; the physics of a room is a part of `elements`.
+/// Returns the layer of a module of an element: `elements/ropes/fields` belongs to `scenario/schema`,
+/// `elements/ropes/assembly` to `scenario/assembly`, and the physics of the element to `elements`.
 fn floor(module: Vec<String>) -> Vec<String> {
     let on = match module.get(2).map(String::as_str) {
         Some("fields") if module[0] == "elements" => "schema",
@@ -49,7 +49,8 @@ fn floor(module: Vec<String>) -> Vec<String> {
     lead.chain([module[1].clone()]).chain(module.into_iter().skip(3)).collect()
 }
 
-/// The first path component below `folder`, without its ending; of the engine that of the floor.
+/// Returns the first path component below `folder`, without its extension; for the engine, the one of the
+/// module's layer.
 fn module_of(path: &Path, folder: &Path) -> String {
     let relative = path.strip_prefix(folder).expect("below the folder").with_extension("");
     let segments = relative.iter().map(|segment| segment.to_string_lossy().into_owned()).collect();
@@ -57,7 +58,7 @@ fn module_of(path: &Path, folder: &Path) -> String {
     first.split('.').next().unwrap_or_default().to_owned()
 }
 
-/// Holds every file below `folder` to the order of modules under a heading; `imports` finds the
+/// Checks that every file below `folder` keeps the order of modules under a heading; `imports` finds the
 /// modules that a file's text names.
 fn hold_to_order(heading: &str, folder: &str, ending: &str, imports: impl Fn(&str, usize) -> BTreeSet<String>) {
     let (order, folder) = (order_under(heading), root().join(folder));
@@ -153,7 +154,7 @@ fn kinds_of_element() -> BTreeSet<String> {
 }
 
 #[test]
-fn no_kind_of_element_is_named_behind_the_builder() {
+fn no_module_after_the_builder_names_a_kind_of_element() {
     let kinds = kinds_of_element();
     assert!(kinds.len() > 15 && kinds.contains("Motor") && kinds.contains("Hull"), "{kinds:?}");
     let source = root().join("crates/kingpost/src");
@@ -209,16 +210,17 @@ fn the_engine_has_no_clock_no_output_and_no_input() {
     }
 }
 
-/// A module that has a folder begins in the folder's `mod.rs`, never in a file of its name beside it.
+/// A module that has a folder starts in the folder's `mod.rs`, not in a file of its name next to the folder.
 #[test]
-fn a_module_with_a_folder_begins_in_its_mod_rs() {
+fn a_module_with_a_folder_starts_in_its_mod_rs() {
     for path in files_below(&root().join("crates"), ".rs") {
         let folder = path.with_extension("");
         assert!(!folder.is_dir(), "{}: belongs into {}/mod.rs", path.display(), folder.display());
     }
 }
 
-/// The types that a file of the engine defines, `type Output` and the like inside an `impl` left out.
+/// Returns the types that a file of the engine defines, without `type Output` and similar ones inside an
+/// `impl`.
 fn types_in(code: &str) -> BTreeSet<String> {
     let defined = |line: &str| {
         let line = line.strip_prefix("pub").map_or(line, |rest| rest.trim_start_matches(|c| c != ' ').trim_start());
@@ -311,7 +313,7 @@ fn home(
     path
 }
 
-/// Finds which file or folder uses which beside it, by the folder that both are in.
+/// Finds which files or folders use which others in the folder that contains both.
 fn uses_beside() -> BTreeMap<ModulePath, BTreeMap<String, BTreeSet<String>>> {
     let source = root().join("crates/kingpost/src");
     let module = |path: PathBuf| {
@@ -340,9 +342,9 @@ fn uses_beside() -> BTreeMap<ModulePath, BTreeMap<String, BTreeSet<String>>> {
     found
 }
 
-/// A folder's `mod.rs` is left out: it names the files beside it, and they may use what it holds.
+/// A folder's `mod.rs` does not count: it names the files of the folder, and they can use its contents.
 #[test]
-fn no_files_of_a_folder_use_each_other_in_a_circle() {
+fn files_of_a_folder_have_no_circular_dependencies() {
     let found = uses_beside();
     assert!(found[&vec!["dynamics".to_owned()]]["loads"].contains("unilateral_constraint"), "{found:?}");
     assert!(found[&vec!["scenario".to_owned()]]["assembly"].contains("error"), "by way of what mod.rs takes");
@@ -386,9 +388,9 @@ fn has_small_literal(code: &str) -> bool {
     })
 }
 
-/// A tolerance without a scale or a reason is the kind of number that fails far from where it was chosen.
+/// A tolerance without a scale or a reason often fails far from the case for which it was chosen.
 #[test]
-fn each_small_constant_has_its_scale_or_reason_beside_it() {
+fn each_small_constant_has_a_comment_with_its_scale_or_reason() {
     let folder = root().join("crates/kingpost/src");
     let mut bare = Vec::new();
     for path in files_below(&folder, ".rs") {

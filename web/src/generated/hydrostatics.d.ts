@@ -14,8 +14,8 @@ export interface HydrostaticReport {
   warnings: string[];
 }
 /**
- * A hull at rest in still water with all that its joints carry. Pairs are across the ship, for heel,
- * and along it, for trim.
+ * A hull at rest in still water, with all bodies that its joints carry. The first number of a pair is for
+ * heel (across the ship), the second for trim (along the ship).
  */
 export interface HullAfloat {
   /**
@@ -107,17 +107,18 @@ export interface HullAfloat {
    */
   free_surfaces: FreeSurface[];
   /**
-   * GZ to the side that the ship lists to; `None` without a mesh.
+   * GZ to the side of the list; `None` without a mesh.
    */
   righting_arm: RightingArmCurve | null;
   /**
-   * Whether volume, KB and BM are those of the floating mesh; else they follow from the waterplane at the database's
-   * draught, moved along the hull's z.
+   * Whether volume, KB and BM are computed from the floating mesh; otherwise they follow from the
+   * waterplane at the database's draught, moved along the hull's z.
    */
   by_mesh: boolean;
   /**
-   * Whether the buoyancy of the run, which gives this position, is the mesh's; else it is linear, and the righting
-   * arms, which are always the mesh's, may pass through zero at another heel.
+   * Whether this position is computed with the mesh's buoyancy, like the run; otherwise with linear
+   * buoyancy. The righting arms always use the mesh, so with linear buoyancy they can pass through zero at
+   * another heel.
    */
   rests_by_mesh: boolean;
 }
@@ -134,7 +135,7 @@ export interface HullAfloat {
  */
 export interface HangingLoad {
   /**
-   * The joint or the line that it hangs from.
+   * Joint or line from which the load hangs.
    */
   joint: string;
   /**
@@ -142,11 +143,12 @@ export interface HangingLoad {
    */
   body: string;
   /**
-   * Mass of the body and all that it carries, less that of the water that it displaces as a lifted object, kg.
+   * Mass of the body and of all bodies that it carries, less the mass of the water that lifted objects
+   * among them displace, kg.
    */
   mass_kg: number;
   /**
-   * Distance of their centre below the joint, m.
+   * Distance of their common centre of mass below the joint, m.
    */
   length_m: number;
   /**
@@ -160,8 +162,8 @@ export interface HangingLoad {
   free_share: [number, number];
 }
 /**
- * The free surface of a slack tank or a free-flooding tank, or the two of a U-tank, in a hull, or in a body that its joints
- * carry without hanging.
+ * Free surface of a slack tank or a free-flooding tank, or both free surfaces of a U-tank. The tank is in a
+ * hull, or in a body that the hull's joints carry and that does not hang.
  */
 export interface FreeSurface {
   /**
@@ -169,7 +171,7 @@ export interface FreeSurface {
    */
   force: string;
   /**
-   * The body that the tank is in.
+   * Body that contains the tank.
    */
   body: string;
   /**
@@ -177,15 +179,16 @@ export interface FreeSurface {
    */
   liquid_kg: number;
   /**
-   * Height of the liquid's centre above the keel in the present position, along the hull's z, m.
+   * Height of the liquid's centre of mass above the keel in the present position, along the hull's z, m.
    */
   keel_to_liquid_m: number;
   /**
-   * Reduction of GM across and along the ship, `rho i / M`, with i the second moment of its present surface about
-   * its centroid and M the floating mass, m (Barrass & Derrett, *Ship Stability for Masters and Mates*, ch. on free
-   * surface). For a U-tank i is that of two levels, `A d^2 / 2`, each of the area A, at the distance d: its columns
-   * are narrow, and nothing keeps the liquid from its level. For a tank that is open to the sea i is what her waterplane
-   * loses by it, `A (y - y') (y - y_0)`, with the centres of flotation y_0 without and y' with all openings.
+   * Reduction of GM across and along the ship, `rho i / M`, with i the second moment of its present
+   * surface about its centroid and M the floating mass, m (Barrass & Derrett, *Ship Stability for Masters
+   * and Mates*, ch. on free surface). For a U-tank i is that of both levels, `A d^2 / 2`, with the area A
+   * of each and their distance d: the columns are narrow, and the liquid flows freely. For a tank that is
+   * open to the sea i is the loss of the ship's waterplane, `A (y - y') (y - y_0)`, with the centres of
+   * flotation y_0 without and y' with all openings.
    *
    * @minItems 2
    * @maxItems 2
@@ -196,8 +199,8 @@ export interface FreeSurface {
  * GZ over the heel to one side, at constant displacement, free to trim, with hanging loads at their suspension points
  * and slack tanks level.
  *
- * For a listing ship it is to the side of the list, where the arms are smaller; for an upright ship to the side with
- * the smaller largest arm, and to starboard if both are equal.
+ * For a listing ship the curve is for the side of the list, where the arms are smaller; for an upright ship
+ * for the side with the smaller maximum arm, or for starboard if both are equal.
  */
 export interface RightingArmCurve {
   /**
@@ -209,18 +212,19 @@ export interface RightingArmCurve {
    */
   points: RightingArmPoint[];
   /**
-   * Heel to that side at which the arm becomes positive, rad: the list, or the angle of loll; negative if it lies on the
-   * other side, as by linear buoyancy a ship may list to one side and by her mesh to the other. `None` if there is none
-   * up to 90 deg.
+   * Heel to the curve's side at which the arm becomes positive, rad: the list, or the angle of loll.
+   * Negative if it is on the other side: linear buoyancy and the mesh can give lists to different sides.
+   * `None` if there is none up to 90 deg.
    */
   equilibrium_rad: number | null;
   /**
-   * The largest arm beyond it, m, and its heel, rad, from a parabola through three angles one degree apart.
+   * Largest arm beyond the equilibrium, m, and its heel, rad, from a parabola through three angles one
+   * degree apart.
    */
   largest: LargestArm | null;
   /**
-   * Heel at which the arm becomes negative, rad; `None` if it does not up to 90 deg. The range of positive stability
-   * is from the equilibrium to this angle.
+   * Heel at which the arm becomes negative, rad; `None` if this does not occur up to 90 deg. The range of
+   * positive stability is from the equilibrium to this angle.
    */
   vanishing_rad: number | null;
 }
@@ -237,12 +241,12 @@ export interface RightingArmPoint {
    */
   trim_rad: number;
   /**
-   * GZ, m: positive if it turns the ship back.
+   * GZ, m: positive if it rights the ship.
    */
   arm_m: number;
 }
 /**
- * The top of a righting-arm curve.
+ * Maximum of a righting-arm curve.
  */
 export interface LargestArm {
   /**

@@ -129,7 +129,7 @@ export interface PartDescription {
    */
   part: string;
   /**
-   * The body that it is mounted on, or `world`.
+   * Body on which the part is mounted, or `world`.
    */
   on: string;
   /**
@@ -140,7 +140,7 @@ export interface PartDescription {
    */
   position_m: [number, number, number];
   /**
-   * Orientation of its axes in that body's: roll, pitch, yaw, rad.
+   * Orientation of the part's axes relative to the axes of that body: roll, pitch, yaw, rad.
    *
    * @minItems 3
    * @maxItems 3
@@ -235,7 +235,7 @@ export interface SphereShape {
  */
 export interface PointShape {}
 /**
- * A joint to name.
+ * A joint, with its coordinates.
  */
 export interface JointDescription {
   /**
@@ -370,7 +370,7 @@ export interface SeaDescription {
   cut_spectra: CutSpectrum[];
 }
 /**
- * A spectrum that is only partly in the sea.
+ * A wave spectrum that is partly cut off.
  */
 export interface CutSpectrum {
   /**
@@ -482,7 +482,7 @@ export interface ObjectInWater {
    */
   added_mass_kg: [number, number, number];
   /**
-   * Whether the slamming coefficient is given; else it follows from the growth of the added mass.
+   * Whether the slamming coefficient is given; otherwise it follows from the growth of the added mass.
    */
   slamming_is_given: boolean;
   /**
@@ -507,11 +507,11 @@ export interface ImmersionDescription {
    */
   centre_depth_m: number;
   /**
-   * Volume of the water that is displaced, m^3.
+   * Displaced volume, m^3.
    */
   displaced_volume_m3: number;
   /**
-   * Its rate with depth, m^2: the area of the water line section.
+   * Derivative of the displaced volume with respect to the depth, m^2: the waterplane area.
    */
   waterplane_area_m2: number;
   /**
@@ -523,13 +523,13 @@ export interface ImmersionDescription {
    */
   drag_area_m2: number;
   /**
-   * C_S A_S, m^2; where it follows from the growth of the added mass, 2 / rho dA/dh, the largest from here to the next
-   * immersion.
+   * C_S A_S, m^2. If it follows from the growth of the added mass, 2 / rho dA/dh, it is the largest value
+   * from this immersion to the next one.
    */
   slamming_area_m2: number;
 }
 /**
- * A limit that a run is checked against.
+ * A limit against which the results of a run are checked.
  */
 export interface LimitDescription {
   /**
@@ -545,7 +545,7 @@ export interface LimitDescription {
    */
   unit: string;
   /**
-   * This unit in the column's SI unit.
+   * Value of this unit in the column's SI unit.
    */
   unit_si: number;
   /**
@@ -562,7 +562,7 @@ export interface LimitDescription {
   from_s: number;
 }
 /**
- * A knob.
+ * A parameter of the scenario, with its value.
  */
 export interface ParameterDescription {
   /**
@@ -570,7 +570,7 @@ export interface ParameterDescription {
    */
   name: string;
   /**
-   * For people.
+   * Label for users.
    */
   label: string;
   /**
@@ -578,7 +578,7 @@ export interface ParameterDescription {
    */
   unit: string;
   /**
-   * The kind of control for it.
+   * Kind of control in a view.
    */
   kind: "boolean" | "number" | "choice";
   /**
@@ -593,7 +593,7 @@ export interface ParameterDescription {
    */
   range: [number, number] | null;
   /**
-   * The texts to choose from.
+   * Allowed texts.
    */
   choices: string[] | null;
   /**
@@ -638,7 +638,7 @@ export interface Channel {
    */
   labels: string[][];
   /**
-   * The pattern of a column's name from its labels: `{body}.angular_velocity.{axis}`.
+   * Pattern of the names of its columns, with its labels: `{body}.angular_velocity.{axis}`.
    */
   column: string;
   /**
@@ -646,7 +646,7 @@ export interface Channel {
    */
   columns: string[];
   /**
-   * Whether it is an output of elements; else it belongs to the model or the ledger.
+   * Whether it is an output of elements; otherwise it is a variable of the model or the ledger.
    */
   of_elements: boolean;
   /**

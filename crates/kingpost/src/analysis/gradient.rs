@@ -1,4 +1,4 @@
-//! Gradients of results along parameters, by dual numbers through the whole run.
+//! Gradients of results with respect to parameters, by dual numbers through the whole run.
 
 use crate::dynamics::moving_frame::Variation;
 use crate::plant::{DIRECTIONS, Form};
@@ -11,31 +11,32 @@ use crate::simulation::{RunError, Setup, Simulation};
 pub struct Gradient {
     /// The channels of a row.
     pub channels: Vec<Channel>,
-    /// Rows one after another.
+    /// Rows in succession.
     pub rows: Vec<f64>,
-    /// Derivatives of the rows along each parameter, in the order of the names.
+    /// Derivatives of the rows with respect to each parameter, in the order of the names.
     pub derivatives: Vec<Vec<f64>>,
-    /// Entries in a row.
+    /// Number of entries in a row.
     pub columns: usize,
-    /// An error leaves the rows that came before it.
+    /// How the run ended; after an error the rows before it are kept.
     pub status: Result<(), RunError>,
 }
 
 impl Gradient {
-    /// Drops everything after the first `entries` of the rows.
+    /// Removes all entries of the rows after the first `entries`.
     fn keep(&mut self, entries: usize) {
         self.rows.truncate(entries);
         self.derivatives.iter_mut().for_each(|rows| rows.truncate(entries));
     }
 }
 
-/// Runs a scenario from start to end with the derivative of every result along every parameter (or path of a number) in
-/// `names`, exact for the scheme and step: they are the derivatives of the computed numbers, not of the motion that
-/// these approximate. Only the derivative of an event's time follows from the rates of the motion, with the error of a
-/// step. `progress` gets the time and may stop the run by returning false: then the rows until that time remain.
+/// Runs a scenario from start to end with the derivative of every result with respect to every parameter (or
+/// path of a number) in `names`. The derivatives are exact for the scheme and step: they are those of the
+/// computed numbers, not of the exact motion. Only the derivative of an event's time is computed from the
+/// rates of the motion, with the error of a step. `progress` is called with the time and stops the run by
+/// returning false: the rows up to that time are kept.
 ///
 /// # Errors
-/// A name along which there is no derivative: see [`Scenario::setup_along`]. Equations without D.
+/// A name without a derivative: see [`Scenario::setup_along`]. Equations in the form without D.
 pub fn gradient(
     scenario: &Scenario,
     names: &[&str],
@@ -45,7 +46,7 @@ pub fn gradient(
 }
 
 impl BuiltScenario {
-    /// A run with its derivatives, as [`gradient`].
+    /// Returns a run with its derivatives, like [`gradient`].
     ///
     /// # Errors
     /// Fails for the same names as [`gradient`].
@@ -54,7 +55,7 @@ impl BuiltScenario {
     }
 }
 
-/// Computes [`gradient`] with the setup of the scenario that is already built, `plain`.
+/// Computes [`gradient`] with the setup `plain` that is already built.
 fn gradient_of(
     scenario: &Scenario,
     plain: &Setup,

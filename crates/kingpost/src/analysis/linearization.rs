@@ -1,4 +1,4 @@
-//! The linearised system about a state: `x' = A x + B u`, with A and B exact to rounding.
+//! Linearised system about a state: `x' = A x + B u`, with A and B exact to rounding.
 
 use crate::elements::{EvaluationMode, Input, StateDeclaration};
 use crate::integrate::Stage;
@@ -10,29 +10,29 @@ use crate::simulation::{Setup, Simulation};
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
-/// A and B about one state, and the rates there.
+/// A and B about a state, and the rates at this state.
 ///
-/// The states x are small motions from the state: first the local coordinates of the free coordinates (m; rad, for a
-/// rotation in space the rotation vector in body axes), then their rates as in v, then the extra states of forces and
-/// drives. Held and prescribed coordinates are not states; prescribed ones keep their motion. With closed loops x
-/// contains all coordinates of the tree, and only motions with J x = 0 are possible, with J of
-/// [`MovingFrame::j`](crate::dynamics::moving_frame::MovingFrame::j); about a state at rest A maps such motions to such
-/// motions.
+/// The states x are small motions from the state: first the local coordinates of the free coordinates (m;
+/// rad, for a rotation in space the rotation vector in body axes), then their rates as in v, then the states
+/// of forces and drives. Held and prescribed coordinates are not states; prescribed coordinates keep their
+/// motion. With closed loops x contains all coordinates of the tree, and only motions with J x = 0 are
+/// possible, with J of [`MovingFrame::j`](crate::dynamics::moving_frame::MovingFrame::j); about a state at
+/// rest, A maps a possible motion to a possible motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Linearization {
     /// Names of the states: `slew`, ..., `slew.rate`, ..., and the states of drives, as `luffing.wanted_length`.
     pub states: Vec<String>,
     /// SI unit of each state.
     pub units: Vec<&'static str>,
-    /// Whether each state is only a memory, as an element [declares](crate::elements::ElementState).
+    /// Whether each state is only a memory, as an element [declares](crate::elements::ElementState) it.
     pub remembers: Vec<bool>,
     /// Names of the inputs.
     pub inputs: Vec<String>,
     /// Unit of each input.
     pub input_units: Vec<&'static str>,
-    /// A: rate of the row's state per column's state.
+    /// A: derivative of the rate of the row's state with respect to the column's state.
     pub a: DMatrix<f64>,
-    /// B: rate of the row's state per column's input.
+    /// B: derivative of the rate of the row's state with respect to the column's input.
     pub b: DMatrix<f64>,
     /// The rates at the state itself; zero at an equilibrium.
     pub rates: Vec<f64>,
@@ -42,7 +42,7 @@ pub struct Linearization {
     pub moving: Vec<String>,
 }
 
-/// The names and units of a [`Linearization`], for other languages.
+/// Names and units of a [`Linearization`], for programs in other languages.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LinearNames<'a> {
     /// Names of the states.
@@ -60,60 +60,62 @@ pub struct LinearNames<'a> {
 }
 
 impl Linearization {
-    /// Its names and units.
+    /// Returns the names and units.
     pub fn names(&self) -> LinearNames<'_> {
         let Self { states, units, remembers, inputs, input_units, .. } = self;
         LinearNames { states, units, remembers, inputs, input_units, warning: self.warning() }
     }
 
-    /// A warning if something moves as prescribed: A then holds for one instant, and a pair of eigenvalues may seem to
-    /// grow, or to be damped, only because of that motion's forces.
+    /// Returns a warning if a prescribed coordinate moves: A is then valid for one instant only, and
+    /// eigenvalues can show growth or damping that only the forces of this motion cause.
     pub fn warning(&self) -> Option<String> {
         let names = self.moving.join(", ");
         let verbs = if self.moving.len() == 1 { "moves or accelerates" } else { "move or accelerate" };
         (!self.moving.is_empty()).then(|| {
             format!(
-                "{names} {verbs} as prescribed at {} s: the matrices hold for that instant only; damping ratios and growth may come from the prescribed motion alone",
+                "{names} {verbs} as prescribed at {} s: the matrices are valid for that instant only; damping ratios and growth may come from the prescribed motion alone",
                 self.time_s
             )
         })
     }
 
-    /// Number of free coordinates: the states begin with them, then come their rates.
+    /// Returns the number of free coordinates: the states start with these coordinates, followed by their
+    /// rates.
     fn free(&self) -> usize {
         self.states.iter().filter(|state| state.ends_with(RATE)).count()
     }
 
-    /// Accelerations of the free coordinates at the state itself, m/s^2 or rad/s^2.
+    /// Returns the accelerations of the free coordinates at the state itself, m/s^2 or rad/s^2.
     pub fn accelerations(&self) -> DVector<f64> {
         let n = self.free();
         DVector::from_column_slice(&self.rates[n..2 * n])
     }
 
-    /// Acceleration of each free coordinate per free coordinate: the block of A below its diagonal.
+    /// Returns the derivatives of the accelerations of the free coordinates with respect to these
+    /// coordinates: a block of A.
     pub fn stiffness(&self) -> DMatrix<f64> {
         let n = self.free();
         self.a.view((n, 0), (n, n)).into_owned()
     }
 }
 
-/// Ends the name of a coordinate's rate.
+/// Ending of the name of a coordinate's rate.
 const RATE: &str = ".rate";
 
-/// Linearises simulations of one scenario.
+/// Linearises the simulations of one scenario.
 #[derive(Clone, Debug)]
 pub struct Linearizer {
     tangent: Tangent,
     states: Vec<StateDeclaration>,
     inputs: Vec<Input>,
-    /// The kind of each state.
+    /// Variable of each state.
     along: Vec<Along>,
     /// The prescribed coordinates, with their names.
     prescribed: Vec<(usize, String)>,
 }
 
 impl Linearizer {
-    /// For simulations of a scenario. The equations are those of the recursive form.
+    /// Creates a linearizer for simulations of a scenario. The equations have the recursive form.
     ///
     /// # Errors
     /// A scenario that does not build.
@@ -121,7 +123,7 @@ impl Linearizer {
         Ok(Self::of_setup(scenario.setup_over::<Number>()?))
     }
 
-    /// For simulations of a scenario that is built.
+    /// Creates a linearizer for simulations of a scenario that is built.
     ///
     /// # Errors
     /// Fails where [`Scenario::setup_over`] does.
@@ -133,7 +135,7 @@ impl Linearizer {
         Self::of_plant(Plant::new(setup.model, setup.world, setup.elements))
     }
 
-    /// For simulations of this plant.
+    /// Creates a linearizer for simulations of this plant.
     pub fn of_plant(plant: Plant<Number>) -> Self {
         let inputs = plant.layout().inputs.clone();
         let (states, along) = states(&plant);
@@ -147,7 +149,7 @@ impl Linearizer {
         self
     }
 
-    /// Indices in v of the free coordinates, in the order of the states.
+    /// Returns the indices in v of the free coordinates, in the order of the states.
     pub fn positions(&self) -> impl Iterator<Item = usize> + '_ {
         self.along.iter().filter_map(|along| if let Along::Position(i) = along { Some(*i) } else { None })
     }
@@ -157,12 +159,12 @@ impl Linearizer {
         &self.along
     }
 
-    /// A and B at the present state of a simulation of the scenario.
+    /// Returns A and B at the present state of a simulation of the scenario.
     pub fn at(&mut self, simulation: &Simulation) -> Linearization {
         self.about(simulation.stage())
     }
 
-    /// A and B at a stage.
+    /// Returns A and B at a stage.
     pub fn about(&mut self, at: Stage<'_>) -> Linearization {
         let (n, m) = (self.states.len(), self.inputs.len());
         let mut derivatives = DMatrix::zeros(n, n + m);
@@ -200,7 +202,7 @@ impl Linearizer {
         }
     }
 
-    /// Prescribed coordinates that have a rate at a stage, or an acceleration.
+    /// Returns the names of the prescribed coordinates with a rate or an acceleration at a stage.
     fn moving(&mut self, at: Stage<'_>) -> Vec<String> {
         let (rates, accelerations) = self.tangent.prescribed(at.interval, at.v.len());
         let moves = |i: usize| at.v[i] != 0.0 || rates[i] != 0.0 || accelerations[i] != 0.0;
@@ -208,14 +210,14 @@ impl Linearizer {
     }
 }
 
-/// The prescribed coordinates of a plant, with their names.
+/// Returns the prescribed coordinates of a plant, with their names.
 fn prescribed(plant: &Plant<Number>) -> Vec<(usize, String)> {
     let names = plant.model.coordinate_names().into_iter().enumerate();
     names.filter(|(i, _)| plant.model.modes[*i] == MotionType::Prescribed).collect()
 }
 
-/// States of a plant with their names and units, and the kind of each: those of drives and forces follow the ledger's
-/// entries in s.
+/// Returns the states of a plant with their names and units, and the variable of each; the states of drives
+/// and forces follow the ledger's entries in s.
 fn states(plant: &Plant<Number>) -> (Vec<StateDeclaration>, Vec<Along>) {
     let (model, names, turns) = (&plant.model, plant.model.coordinate_names(), plant.model.turning_coordinates());
     let unit = |units: [&'static str; 2], i: usize| units[usize::from(turns[i])];

@@ -1,5 +1,5 @@
-//! Analysis of a model without a run, and of a run beyond its numbers: exact linearisation and gradients along
-//! parameters.
+//! Analyses of a model: linearisation, natural modes and response to waves, without a run, and gradients of a
+//! run's results with respect to parameters.
 
 #[cfg(not(target_family = "wasm"))]
 mod gradient;

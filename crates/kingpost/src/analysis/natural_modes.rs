@@ -1,4 +1,4 @@
-//! The natural oscillations of a model about its equilibrium.
+//! Natural oscillations of a model about its equilibrium.
 
 use crate::simulation::{NoEquilibrium, Simulation};
 use core::f64::consts::TAU;
@@ -7,22 +7,22 @@ use nalgebra::{Complex, DMatrix, DVector, Schur};
 use serde::Serialize;
 use thiserror::Error;
 
-/// An oscillation `exp(-zeta w t) cos(w_d t)` of small motions: modes of bodies, not those of filters or of the water's
-/// memory only.
+/// An oscillation `exp(-zeta w t) cos(w_d t)` of small motions of bodies; modes of filters alone, or of the
+/// water's memory alone, do not count.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct NaturalMode {
-    /// The coordinate with the largest share of the kinetic energy, each taken by itself.
+    /// The coordinate with the largest share of the kinetic energy, each coordinate considered alone.
     pub coordinate: String,
     /// Time between two maxima, 2 pi / w_d, s.
     pub period_s: f64,
-    /// zeta: below 0 the oscillation grows.
+    /// zeta; the oscillation grows if it is negative.
     pub damping_ratio: f64,
 }
 
-/// Why there are no modes.
+/// Reason why there are no modes.
 #[derive(Clone, Debug, Error)]
 pub enum ModesError {
-    /// No equilibrium is near.
+    /// There is no equilibrium nearby.
     #[error(transparent)]
     Settle(#[from] NoEquilibrium),
     /// The eigenvalues do not converge.
@@ -30,13 +30,13 @@ pub enum ModesError {
     NoEigenvalues,
 }
 
-/// Iterations of the search for eigenvalues; it takes about three for each.
+/// Largest number of iterations in the search for eigenvalues; each eigenvalue takes about three.
 const MOST_ITERATIONS: usize = 20_000;
-/// Longer periods count as drift, s.
+/// Longest period of an oscillation, s; a longer one counts as drift.
 const LONGEST_PERIOD_S: f64 = 1e4;
-/// Smallest participation of coordinates and their rates in a mode of bodies.
+/// Smallest participation of coordinates and their rates for which a mode counts as one of bodies.
 const LEAST_SHARE: f64 = 0.5;
-/// Shift from the eigenvalue in the inverse iteration, as a share of its modulus.
+/// Shift from the eigenvalue in the inverse iteration, as a share of the eigenvalue's modulus.
 const BESIDE: f64 = 1e-9;
 
 /// The oscillations about the equilibrium nearest to the state of a simulation, the longest period first.
@@ -63,7 +63,7 @@ pub fn natural_modes(simulation: &Simulation) -> Result<Vec<NaturalMode>, ModesE
     let mut settled = simulation.clone();
     settled.settle()?;
     let coordinates = settled.coordinates();
-    // The diagonal entries of the matrix.
+    // Diagonal entries of the matrix.
     let masses: Vec<f64> = settled.mass_matrix().into_iter().step_by(coordinates.len() + 1).collect();
     of_system(&coordinates, &masses, settled.small_motions())
 }
@@ -72,7 +72,7 @@ fn of_system(coordinates: &[String], masses: &[f64], mut a: DMatrix<f64>) -> Res
     if masses.is_empty() {
         return Ok(Vec::new());
     }
-    // Balances A: units of the states in which its rows and columns have equal size.
+    // Balances A: scales the states so that its rows and columns have equal size.
     let units = balance_parlett_reinsch(&mut a);
     let schur = Schur::try_new(a.clone(), f64::EPSILON, MOST_ITERATIONS).ok_or(ModesError::NoEigenvalues)?;
     let slowest = TAU / LONGEST_PERIOD_S;
@@ -86,7 +86,7 @@ fn of_system(coordinates: &[String], masses: &[f64], mut a: DMatrix<f64>) -> Res
     Ok(modes)
 }
 
-/// The mode of an eigenvalue; `None` if bodies participate little in it.
+/// Returns the mode of an eigenvalue; `None` if the participation of bodies is small.
 fn mode(
     coordinates: &[String],
     masses: &[f64],
@@ -115,13 +115,13 @@ fn size(value: Complex<f64>) -> f64 {
     libm::hypot(value.re, value.im)
 }
 
-/// The eigenvector of an eigenvalue, by inverse iteration with a shift.
+/// Returns the eigenvector of an eigenvalue, by inverse iteration with a shift.
 fn vector(a: &DMatrix<f64>, value: Complex<f64>) -> Option<DVector<Complex<f64>>> {
     let n = a.nrows();
     let beside = value * (1.0 + BESIDE);
     let shifted = DMatrix::from_fn(n, n, |i, j| Complex::from(a[(i, j)]) - if i == j { beside } else { Complex::ZERO });
     let factors = shifted.lu();
-    // Different entries, so that the start is orthogonal to no eigenvector.
+    // All entries differ, so that the start is not orthogonal to an eigenvector.
     let mut found = DVector::from_fn(n, |i, _| Complex::new(1.0 + 0.1 * (i % 7) as f64, 0.3));
     for _ in 0..2 {
         found = factors.solve(&found)?;

@@ -1,4 +1,4 @@
-//! The runs of a batch, read from their variants of one text and built.
+//! Runs of a batch: variants of one text that are read and built.
 
 use super::{BatchError, Built, MOST_BYTES, Variant, bytes, channels_of, check_count};
 use crate::scalar::Lanes;
@@ -8,8 +8,8 @@ use crate::simulation::{Setup, Simulation};
 use core::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use rayon::prelude::*;
 
-/// Variants of one scenario, each read and built once: they run together by [`run_built`](super::run_built), or each by
-/// itself.
+/// Variants of one scenario, each read and built once: they can be run together by
+/// [`run_built`](super::run_built), or each one alone.
 ///
 /// ```
 /// use kingpost::batch::{Built, Members, run_built};
@@ -33,7 +33,7 @@ pub(super) struct Member {
 }
 
 impl Member {
-    /// The variant of this run.
+    /// Reads and builds the variant of this run.
     pub(super) fn new(parsed: Parsed<'_>, run: usize, variant: &Variant, files: &Files) -> Result<Self, BatchError> {
         let wrong = |error| BatchError::Variant { run, error };
         let (scenario, setup) = parsed.read_and_build(variant, files).map_err(wrong)?;
@@ -41,7 +41,7 @@ impl Member {
         Ok(Self { scenario, setup, structure })
     }
 
-    /// A simulation of it by itself, at its start.
+    /// Returns a separate simulation of the variant, at its start.
     pub(super) fn simulation(&self) -> Simulation {
         self.scenario.simulation_of(self.setup.clone()).unwrap_or_else(|_| Simulation::new(self.setup.clone()))
     }
@@ -56,7 +56,7 @@ impl Members {
         Self::within(text, file, files, variants, MOST_BYTES)
     }
 
-    /// Builds the variants until their memory exceeds `most_bytes`, so that a batch that is too large ends soon.
+    /// Builds the variants until their memory exceeds `most_bytes`, so that an excessive batch stops early.
     pub(super) fn within(
         text: &str,
         file: &str,
@@ -106,7 +106,7 @@ impl Built for Members {
     fn side_by_side(&self, group: &[usize]) -> Option<Setup<Lanes>> {
         let scenarios: Vec<&Scenario> = group.iter().map(|&run| &self.0[run].scenario).collect();
         let setups: Vec<&Setup> = group.iter().map(|&run| &self.0[run].setup).collect();
-        // If a number that decides the structure differs, each runs alone.
+        // If a number that determines the structure differs, each variant is run alone.
         side_by_side(&scenarios, &setups).ok()
     }
 }

@@ -1,7 +1,8 @@
-//! Many runs at once: variants of one scenario over lanes and threads.
+//! Batches of runs: variants of one scenario, computed in lanes and on threads.
 //!
-//! Variants with the same structure run in the [lanes](crate::scalar::Lanes) of SIMD registers, groups of them on
-//! threads. Every run gives the same bits as it would alone, whatever the other lanes and the number of threads.
+//! Variants with the same structure are computed in the [lanes](crate::scalar::Lanes) of SIMD registers, and
+//! groups of them on threads. The result of every run is bitwise identical to that of the run alone, for
+//! any other lanes and any number of threads.
 
 mod copies;
 mod members;
@@ -22,64 +23,65 @@ use rayon::prelude::*;
 use serde_json::Value;
 use thiserror::Error;
 
-/// The values that one run changes in the scenario: names of parameters or paths of fields, in order.
+/// Values that a run changes in the scenario: names of parameters or paths of fields, in order.
 pub type Variant = Vec<(String, Value)>;
 
-/// Why a batch did not run at all.
+/// Reason why a batch did not run.
 #[derive(Clone, Debug, Error)]
 pub enum BatchError {
-    /// A variant that is not a valid scenario.
+    /// A variant is not a valid scenario.
     #[error("run {run}: {error}")]
     Variant {
         /// Index of the run, from 0.
         run: usize,
-        /// Its error.
+        /// Error of the scenario.
         error: ScenarioError,
     },
-    /// Variants with other bodies, joints or points than the first: their rows would not match.
+    /// A variant has other bodies, joints or points than the first one: their rows have other columns.
     #[error("run {run}: found other result channels than those of run 0, allowed: the same bodies, joints and points")]
     Channels {
         /// Index of the run, from 0.
         run: usize,
     },
-    /// More numbers would be recorded than are allowed.
+    /// The runs would record more values than allowed.
     #[error(
         "{runs} runs: found {:.1} GB of rows and models, allowed: {:.1} GB; record less often \
          (simulation.record_every_s), or fewer runs at once",
         *found as f64 / 1e9, *allowed as f64 / 1e9
     )]
     Memory {
-        /// How many runs there are.
+        /// Number of runs.
         runs: usize,
-        /// Bytes of all rows and models; before all are built, those of the models alone, or an estimate by the first ones.
+        /// Bytes of all rows and models; before all models are built, bytes of the models alone, or an
+        /// estimate from the first ones.
         found: u64,
-        /// Bytes that are allowed.
+        /// Allowed number of bytes.
         allowed: u64,
     },
     /// The threads could not be started.
     #[error("{0} threads could not be started")]
     Threads(usize),
-    /// `progress` said so.
+    /// `progress` stopped the batch.
     #[error("stopped")]
     Stopped,
 }
 
-/// Runs of one batch, in the order of their variants.
+/// Runs of a batch, in the order of their variants.
 #[derive(Clone, Debug)]
 pub struct Batch {
     /// The channels of a row, the same in every run.
     pub channels: Vec<Channel>,
-    /// The runs; one that diverged has its error, and the rows before it.
+    /// The runs; a run that diverged has its error and the rows before it.
     pub runs: Vec<Run>,
 }
 
-/// Memory that the runs of a batch may take, bytes.
+/// Largest memory for the runs of a batch, bytes.
 pub const MOST_BYTES: u64 = 4 << 30;
-/// Memory of a model, bytes: 61 to 74 kB were measured of the gallery's, whose meshes are shared.
+/// Memory of a model, bytes: the models of the gallery, whose meshes are shared, take 61 to 74 kB (measured).
 const MODEL_BYTES: f64 = 65536.0;
 
-/// Runs every variant of a scenario from start to end. `threads` 0 takes as many as the machine has. `progress` gets
-/// the number of finished runs; it may stop the batch by returning false.
+/// Runs every variant of a scenario from start to end. If `threads` is 0, it uses all threads of the machine.
+/// `progress` is called with the number of finished runs and stops the batch by returning false.
 ///
 /// ```
 /// use kingpost::scenario::Files;
@@ -103,7 +105,7 @@ pub fn run(
     run_within(text, file, files, variants, threads, MOST_BYTES, progress)
 }
 
-/// Computes all runs like [`run`], with this limit for the rows of all, bytes.
+/// Computes all runs like [`run`], with `most_bytes` as the limit of memory.
 ///
 /// # Errors
 /// Those of [`run`].
@@ -125,28 +127,29 @@ pub fn run_within(
 
 /// Built runs, whatever their source; see [`run_built`].
 pub trait Built: Sync {
-    /// Number of runs.
+    /// Returns the number of runs.
     fn count(&self) -> usize;
 
-    /// The setup of a run.
+    /// Returns the setup of a run.
     fn setup(&self, run: usize) -> &Setup;
 
-    /// A text that is equal for runs that can share lanes.
+    /// Returns a text that is equal for runs that can share lanes.
     fn structure(&self, run: usize) -> &str;
 
-    /// A run by itself, at its start.
+    /// Returns a separate simulation of a run, at its start.
     fn simulation(&self, run: usize) -> Simulation {
         Simulation::new(self.setup(run).clone())
     }
 
-    /// The runs of a group in lanes, at most as many as there are lanes; `None` if they cannot run together.
+    /// Returns one setup of a group's runs in lanes, at most as many runs as there are lanes; `None` if they
+    /// cannot be run together.
     fn side_by_side(&self, group: &[usize]) -> Option<Setup<Lanes>>;
 }
 
 /// Computes built runs like [`run`].
 ///
 /// # Errors
-/// A run whose channels are not those of the first.
+/// A run with other channels than the first one.
 pub fn run_built(
     built: &impl Built,
     threads: usize,
@@ -179,7 +182,7 @@ fn run_all(
     Ok(Batch { channels, runs: runs.into_iter().map(|(_, run)| run).collect() })
 }
 
-/// Checks that the models of so many runs fit, before any is built.
+/// Checks, before any model is built, that the models of all runs fit in memory.
 ///
 /// # Errors
 /// [`BatchError::Memory`].
@@ -191,7 +194,7 @@ pub fn check_count(runs: usize, most_bytes: u64) -> Result<(), BatchError> {
     Ok(())
 }
 
-/// An error if the rows of all runs would not fit.
+/// Returns an error if the rows of all runs do not fit in memory.
 fn check_memory(built: &impl Built, channels: &[Channel], allowed: u64) -> Result<(), BatchError> {
     let columns: usize = channels.iter().map(|channel| channel.columns.len()).sum();
     let found = (0..built.count()).map(|run| bytes(built.setup(run), columns)).sum::<f64>();
@@ -201,7 +204,7 @@ fn check_memory(built: &impl Built, channels: &[Channel], allowed: u64) -> Resul
     Ok(())
 }
 
-/// Memory that a run takes: its rows and its model, bytes.
+/// Returns the memory of a run, with its rows and its model, bytes.
 fn bytes(setup: &Setup, columns: usize) -> f64 {
     setup.settings.rows() * (columns * size_of::<f64>()) as f64 + MODEL_BYTES
 }
@@ -210,7 +213,7 @@ fn channels_of(Setup { model, elements, .. }: &Setup) -> Vec<Channel> {
     Channels::new(model, &Layout::new(elements, 0)).list
 }
 
-/// The channels that all runs have.
+/// Returns the channels that all runs have in common.
 fn common_channels(built: &impl Built) -> Result<Vec<Channel>, BatchError> {
     let of = |run: usize| channels_of(built.setup(run));
     if built.count() == 0 {
@@ -221,7 +224,7 @@ fn common_channels(built: &impl Built) -> Result<Vec<Channel>, BatchError> {
     other.map_or(Ok(first), |run| Err(BatchError::Channels { run }))
 }
 
-/// Groups of runs with the same structure, at most as many as there are lanes.
+/// Returns groups of runs with the same structure, at most as many runs in a group as there are lanes.
 fn groups(built: &impl Built) -> Vec<Vec<usize>> {
     let mut by_structure: IndexMap<&str, Vec<usize>> = IndexMap::new();
     for run in 0..built.count() {
@@ -235,7 +238,7 @@ fn groups(built: &impl Built) -> Vec<Vec<usize>> {
     groups
 }
 
-/// The runs of a group; `None` if `go_on` returned false.
+/// Computes the runs of a group; `None` if `go_on` returned false.
 fn run_group(group: &[usize], built: &impl Built, go_on: &dyn Fn() -> bool) -> Option<Vec<Run>> {
     let alone: Vec<Simulation> = group.iter().map(|&run| built.simulation(run)).collect();
     if group.len() > 1
@@ -255,7 +258,7 @@ fn run_group(group: &[usize], built: &impl Built, go_on: &dyn Fn() -> bool) -> O
     alone.into_iter().map(finish).collect()
 }
 
-/// Whether runs like this one can share lanes.
+/// Returns whether runs with this setup can share lanes.
 fn fits_lanes(setup: &Setup) -> bool {
     let Setup { settings, model, elements, .. } = setup;
     // The projection onto closed loops needs a different number of iterations in each lane.
@@ -263,7 +266,7 @@ fn fits_lanes(setup: &Setup) -> bool {
     !alone_only && model.loops.is_empty() && settings.form == Form::Recursive && steps_lanes(settings.scheme)
 }
 
-/// Whether a scheme takes the same steps in every run: an explicit one of a fixed step.
+/// Returns whether a scheme takes the same steps in every run: an explicit scheme with a fixed step.
 fn steps_lanes(scheme: SchemeName) -> bool {
     use SchemeName::{ForwardEuler, MidpointEuler, RungeKutta4, SemiImplicitEuler};
     matches!(scheme, ForwardEuler | MidpointEuler | SemiImplicitEuler | RungeKutta4)

@@ -3,10 +3,11 @@
 use crate::scalar::Lanes;
 use crate::simulation::{Recording, Run, RunError, Setup, Simulation};
 
-/// Runs the lanes of a setup together; `alone` has the separate simulation of each. `None` if `go_on` returned false.
+/// Runs the lanes of a setup together; `alone` contains the separate simulation of each run. `None` if
+/// `go_on` returned false.
 ///
-/// The lanes step together; each run's own simulation writes its rows from its lane's state. If one of them diverges,
-/// each continues alone from its last row; a run with a row that is not finite ends before it.
+/// The lanes step together; each run's own simulation writes its rows from its lane's state. If one run
+/// diverges, each run continues alone from its last row; a run ends before a row that is not finite.
 pub(super) fn run(setup: Setup<Lanes>, mut alone: Vec<Simulation>, go_on: &dyn Fn() -> bool) -> Option<Vec<Run>> {
     let mut recording = Recording::new(*alone[0].settings(), alone[0].time_s());
     let mut rows = vec![RunRows { written: Vec::new(), status: Ok(()) }; alone.len()];
@@ -30,7 +31,7 @@ pub(super) fn run(setup: Setup<Lanes>, mut alone: Vec<Simulation>, go_on: &dyn F
     Some(rows.into_iter().zip(&alone).map(run).collect())
 }
 
-/// The rest of each run by itself, from its last row on.
+/// Continues each run alone, from its last row to the end.
 fn one_by_one(
     alone: Vec<Simulation>,
     rows: Vec<RunRows>,
@@ -51,7 +52,7 @@ fn one_by_one(
     alone.into_iter().zip(rows).map(finish).collect()
 }
 
-/// The rows of a run, and why it ended.
+/// Rows of a run, and the reason for its end.
 #[derive(Clone)]
 struct RunRows {
     written: Vec<f64>,
@@ -63,7 +64,7 @@ fn write_rows(simulations: &mut [Simulation], rows: &mut [RunRows]) {
         let there = rows.written.len();
         simulation.write_row(&mut rows.written);
         rows.status = simulation.check_row(&rows.written[there..]);
-        // The first row is kept, so that there is one.
+        // The first row is always kept, so that a run has at least one row.
         if rows.status.is_err() && there > 0 {
             rows.written.truncate(there);
         }

@@ -1,19 +1,19 @@
-//! A spherical joint in the recursion: three equations about the ball.
+//! Spherical joint in the recursion: three equations about the ball.
 //!
-//! About the ball the joint's axes are `S = [I; 0]`, so the joint transmits only a force: with the articulated inertia
-//! `[J, C; C^T, L]` about the ball, only `L - C^T J^-1 C` remains of it (Featherstone 2008, sec. 7.2, with S taken
-//! about the joint).
+//! About the ball the joint's axes are `S = [I; 0]`, so the joint transmits only a force: with the
+//! articulated inertia `[J, C; C^T, L]` about the ball, it transmits only `L - C^T J^-1 C` (Featherstone
+//! 2008, sec. 7.2, with S about the joint).
 
 use crate::model::{Link, MotionType};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, SpatialInertia, Symmetric3, Twist, Vector3, Wrench};
 
-/// A link on its ball, root axes.
+/// A link with a ball joint, root axes.
 pub(super) struct Ball<'a, S> {
     plan: &'a Link<S>,
-    /// The link in its root's frame.
+    /// Frame of the link in its root's frame.
     in_root: &'a Frame<S>,
-    /// From the root's origin to the ball, m.
+    /// Vector from the root's origin to the ball, m.
     position: Vector3<S>,
 }
 
@@ -22,13 +22,13 @@ impl<'a, S: Scalar> Ball<'a, S> {
         Self { plan, in_root, position: in_root.point(-plan.to_child) }
     }
 
-    /// The twist about the root's origin of a rate (or of its derivative) in child axes.
+    /// Returns the twist about the root's origin for a rate, or the derivative of a rate, in child axes.
     pub(super) fn twist(&self, rate: &[S]) -> Twist<S> {
         let angular = self.in_root.rotation * Vector3::from_slice(rate);
         Twist { angular, linear: self.position.cross(angular) }
     }
 
-    /// Those twists for a unit rate about each axis of the child.
+    /// Returns the twists for a unit rate about each axis of the child.
     pub(super) fn axes(&self) -> [Twist<S>; 3] {
         core::array::from_fn(|k| {
             let mut rate = [S::ZERO; 3];
@@ -37,7 +37,7 @@ impl<'a, S: Scalar> Ball<'a, S> {
         })
     }
 
-    /// The articulated inertia and bias that the ball transmits to the parent.
+    /// Returns the articulated inertia and bias that the ball transmits to the parent.
     pub(super) fn transmitted(
         &self,
         inertia: &SpatialInertia<S>,
@@ -60,13 +60,13 @@ impl<'a, S: Scalar> Ball<'a, S> {
         (reduced, carried)
     }
 
-    /// The moment applied in the joint, from the loads along all coordinates.
+    /// Returns the moment that is applied in the joint, from the loads along all coordinates.
     fn moment(&self, force: &[S]) -> Vector3<S> {
         self.in_root.rotation * Vector3::from_slice(&force[self.plan.velocities..])
     }
 
-    /// Acceleration of the link, from that of the parent and the velocity terms, `carried`; writes that of the joint's
-    /// coordinates.
+    /// Returns the acceleration of the link, from `carried`, which is that of the parent plus the velocity
+    /// terms; writes the accelerations of the joint's coordinates.
     pub(super) fn accelerate(
         &self,
         inertia: &SpatialInertia<S>,
@@ -78,8 +78,8 @@ impl<'a, S: Scalar> Ball<'a, S> {
         self.accelerate_under(self.moment(force), inertia, bias, carried, v_dot)
     }
 
-    /// Returns the acceleration of the link under a moment applied in the joint, root axes; writes that of the joint's
-    /// coordinates.
+    /// Returns the acceleration of the link under a moment applied in the joint, root axes; writes the
+    /// accelerations of the joint's coordinates.
     fn accelerate_under(
         &self,
         applied: Vector3<S>,
@@ -101,7 +101,7 @@ impl<'a, S: Scalar> Ball<'a, S> {
         *carried + self.twist(&in_child.0)
     }
 
-    /// The part of a bias that the ball transmits, without velocities and other loads.
+    /// Returns the part of a bias that the ball transmits, without velocities and other loads.
     pub(super) fn passes(&self, inertia: &SpatialInertia<S>, bias: &Wrench<S>) -> Wrench<S> {
         if self.plan.mode != MotionType::Free {
             return *bias;
@@ -113,7 +113,7 @@ impl<'a, S: Scalar> Ball<'a, S> {
         Frame::translation(self.position).wrench_to_parent(&Wrench { moment: Vector3::zero(), force })
     }
 
-    /// The acceleration due to a bias alone; writes that of the joint's coordinates.
+    /// Returns the acceleration due to a bias alone; writes the accelerations of the joint's coordinates.
     pub(super) fn respond(
         &self,
         inertia: &SpatialInertia<S>,

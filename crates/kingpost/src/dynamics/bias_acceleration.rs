@@ -1,35 +1,36 @@
-//! The acceleration of links due to their velocities alone.
+//! Accelerations of links due to their velocities alone.
 //!
-//! With every coordinate's acceleration at zero, the points of a link still accelerate: towards the axes that they turn
-//! about, and by Coriolis' term along slides. Without this known part the recursion is linear in the unknowns, with no
-//! velocity term in any articulated body.
+//! If the accelerations of all coordinates are zero, the points of a link still accelerate: towards the axes
+//! of rotation, and by the Coriolis term along prismatic joints. Without this known part the recursion is
+//! linear in the unknowns, and an articulated body has no velocity terms.
 
 use crate::scalar::Scalar;
 use crate::spatial::{Matrix3, Twist, Vector3, hat};
 
-/// The acceleration of a link's points, root axes: `linear + gradient (x - origin)` at x, with the gradient `R'' R^T =
-/// hat(alpha) + hat(omega)^2`, the second derivative of a rotation matrix. It does not depend on linear velocity.
+/// Acceleration of a link's points, root axes: `linear + gradient (x - origin)` at x, with the gradient `R''
+/// R^T = hat(alpha) + hat(omega)^2`, the second derivative of a rotation matrix. It does not depend on linear
+/// velocity.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct BiasAcceleration<S> {
     /// Angular acceleration, rad/s^2.
     pub angular: Vector3<S>,
     /// Acceleration of the origin of the link's frame, m/s^2.
     pub linear: Vector3<S>,
-    /// 1/s^2.
+    /// Gradient of the acceleration, 1/s^2.
     pub gradient: Matrix3<S>,
 }
 
-/// The motion of a link, from velocities alone.
+/// Motion of a link that follows from velocities alone.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct LinkMotion<S> {
     /// Twist about the root's origin.
     pub twist: Twist<S>,
-    /// Its points' acceleration with every coordinate's at zero.
+    /// Acceleration of the link's points for zero accelerations of all coordinates.
     pub bias_acceleration: BiasAcceleration<S>,
 }
 
 impl<S: Scalar> LinkMotion<S> {
-    /// For a floating link: the acceleration of its origin is that of a coordinate.
+    /// Returns the motion of a floating link; the acceleration of its origin is that of a coordinate.
     #[inline]
     pub fn floating(twist: Twist<S>) -> Self {
         let bias_acceleration = BiasAcceleration {
@@ -40,8 +41,9 @@ impl<S: Scalar> LinkMotion<S> {
         Self { twist, bias_acceleration }
     }
 
-    /// For a link that turns relative to this one with the twist `own`, about a pivot that moves with both: `way` is
-    /// the vector from this one's origin to the pivot, `arm` from there to the link's origin.
+    /// Returns the motion of a child link that rotates relative to this link with the twist `own`, about a
+    /// pivot on both: `way` is the vector from this link's origin to the pivot, and `arm` from the pivot to
+    /// the child's origin.
     ///
     /// `alpha = alpha_p + omega_p x omega_own`, `a = a_p + G_p way + G arm`.
     #[inline]
@@ -53,9 +55,10 @@ impl<S: Scalar> LinkMotion<S> {
         Self { twist, bias_acceleration: BiasAcceleration { angular, linear, gradient } }
     }
 
-    /// For a link that slides on this one at a velocity; `way` is the vector from this one's origin to the link's.
+    /// Returns the motion of a child link that slides on this link at a velocity; `way` is the vector from
+    /// this link's origin to the child's.
     ///
-    /// `a = a_p + G_p way + 2 omega_p x v_own`, Coriolis' term.
+    /// `a = a_p + G_p way + 2 omega_p x v_own`, with the Coriolis term.
     #[inline]
     pub fn slid(&self, sliding: Vector3<S>, way: Vector3<S>) -> Self {
         let own = Twist { angular: Vector3::zero(), linear: sliding };
@@ -64,7 +67,8 @@ impl<S: Scalar> LinkMotion<S> {
         Self { twist: self.twist + own, bias_acceleration: BiasAcceleration { linear, ..self.bias_acceleration } }
     }
 
-    /// The bias acceleration as the rate of the link's twist about the root's origin; the link's own origin is given.
+    /// Returns the bias acceleration as the rate of the link's twist about the root's origin; `origin` is
+    /// that of the link.
     #[inline]
     pub fn spatial_bias_acceleration(&self, origin: Vector3<S>) -> Twist<S> {
         let BiasAcceleration { angular, linear, gradient } = &self.bias_acceleration;
@@ -87,7 +91,7 @@ mod tests {
 
     #[test]
     fn the_gradient_is_the_second_derivative_of_a_rotation() {
-        // R(t) turns at omega + alpha t; its frame's axes are taken at t = 0, where R = I.
+        // R(t) rotates at omega + alpha t; the axes of its frame are those at t = 0, where R = I.
         let (omega, alpha, h) = (Vector3::new(0.7, -1.1, 0.4), Vector3::new(-0.3, 0.2, 0.9), 1e-3);
         let turned = |t: f64| {
             let steps = 1000;
@@ -101,7 +105,7 @@ mod tests {
         };
         let own = Twist { angular: omega, linear: Vector3::zero() };
         let bias_acceleration = motion.turned(&own, Vector3::zero(), Vector3::zero()).bias_acceleration;
-        // Second order in h, and rounding over h^2.
+        // The error is of second order in h, plus rounding over h^2.
         assert!((bias_acceleration.gradient - second).0.iter().flatten().all(|x: &f64| x.abs() < 5e-6));
     }
 }

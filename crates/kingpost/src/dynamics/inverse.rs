@@ -1,7 +1,7 @@
 //! Inverse dynamics: the wrench in every joint, from given accelerations.
 //!
-//! The recursive Newton-Euler algorithm (Featherstone 2008, ch. 5) over the bodies without fusing any, so that the
-//! reaction of a lashed load is found as well.
+//! The recursive Newton-Euler algorithm (Featherstone 2008, ch. 5) over all bodies, including those at fixed
+//! joints, so that the reaction of a lashed load is also computed.
 
 use super::{Kinematics, Loads};
 use crate::model::{JointKind, Model};
@@ -13,19 +13,19 @@ use crate::spatial::{Twist, Vector3, Wrench};
 pub struct InverseDynamics<S = f64> {
     /// Rate of each body's twist, component by component, in body axes.
     pub acceleration: Vec<Twist<S>>,
-    /// The wrench that each body's joint transmits to it, in body axes about its centre of mass.
+    /// Wrench that each body's joint transmits to it, in body axes about its centre of mass.
     pub joint_wrench: Vec<Wrench<S>>,
 }
 
 impl<S: Scalar> InverseDynamics<S> {
-    /// Room for a model.
+    /// Allocates the memory for a model.
     pub fn new(model: &Model<S>) -> Self {
         let n = model.bodies.len();
         Self { acceleration: vec![Twist::zero(); n], joint_wrench: vec![Wrench::zero(); n] }
     }
 
-    /// Computes both from the accelerations `v_dot` of all coordinates; `bodies` is the kinematics of `model.tree`.
-    /// `loads.force` is not needed: it is part of the result.
+    /// Computes accelerations and joint wrenches from the accelerations `v_dot` of all coordinates; `bodies`
+    /// is the kinematics of `model.tree`. `loads.force` is not needed: it is part of the result.
     pub fn update(&mut self, model: &Model<S>, bodies: &Kinematics<S>, v: &[S], v_dot: &[S], loads: &Loads<S>) {
         for (i, node) in model.tree.nodes.iter().enumerate() {
             let twist = &bodies.twist[i];
@@ -71,8 +71,8 @@ impl<S: Scalar> InverseDynamics<S> {
         }
     }
 
-    /// The generalized force along each coordinate of v for the accelerations `v_dot`: the joint wrenches projected on
-    /// the joints' axes, and the torques that accelerate the rotors.
+    /// Returns the generalized force along each coordinate of v for the accelerations `v_dot`: the joint
+    /// wrenches projected on the joints' axes, plus the torques that accelerate the rotors.
     pub fn generalized_force(&self, model: &Model<S>, bodies: &Kinematics<S>, v_dot: &[S], out: &mut [S]) {
         for (i, node) in model.tree.nodes.iter().enumerate() {
             for at in (node.velocities..).take(node.kind.velocity_count()) {

@@ -7,23 +7,23 @@ use crate::spatial::{Frame, Twist};
 /// Positions and velocities of the nodes of a tree.
 #[derive(Clone, Debug)]
 pub struct Kinematics<S = f64> {
-    /// E(child/parent), by node.
+    /// Relative frame E(child/parent), by node.
     pub relative: Vec<Frame<S>>,
-    /// E, by node: in the world.
+    /// Frame E in the world, by node.
     pub world: Vec<Frame<S>>,
-    /// Omega, by node: body components about the node's origin.
+    /// Twist Omega by node: body components about the node's origin.
     pub twist: Vec<Twist<S>>,
-    /// The part of the twist from the node's own joint.
+    /// Contribution of the node's own joint to the twist.
     pub joint_twist: Vec<Twist<S>>,
-    /// That part's rate, component by component, at constant rates of the joint's coordinates: zero except for joints
-    /// with columns that are not constant.
+    /// Rate of this contribution, component by component, at constant rates of the joint's coordinates: zero
+    /// for joints with constant columns.
     pub joint_bias_acceleration: Vec<Twist<S>>,
-    /// By coordinate of v: the twist per unit rate of the node whose joint owns it.
+    /// Twist per unit rate, for each coordinate of v, of the node whose joint has this coordinate.
     pub columns: Vec<Twist<S>>,
 }
 
 impl<S: Scalar> Kinematics<S> {
-    /// Room for a tree.
+    /// Allocates the memory for a tree.
     pub fn new(tree: &Tree<S>) -> Self {
         let n = tree.nodes.len();
         Self {
@@ -36,7 +36,7 @@ impl<S: Scalar> Kinematics<S> {
         }
     }
 
-    /// Computes everything from q and v.
+    /// Computes all members from q and v.
     pub fn update(&mut self, tree: &Tree<S>, q: &[S], v: &[S]) {
         for (i, node) in tree.nodes.iter().enumerate() {
             let (q, v) = (&q[node.positions..], &v[node.velocities..]);
@@ -61,7 +61,7 @@ impl<S: Scalar> Kinematics<S> {
     }
 }
 
-/// Columns times rates.
+/// Returns columns times rates.
 fn combined<S: Scalar>(columns: &[Twist<S>], rates: &[S]) -> Twist<S> {
     let mut terms = columns.iter().zip(rates).map(|(column, rate)| *column * *rate);
     terms.next().map_or(Twist::zero(), |first| terms.fold(first, |sum, term| sum + term))

@@ -1,7 +1,9 @@
-//! Kinematics of the fused links for the recursion, in the axes of each branch's root: one pass from the roots outward.
+//! Kinematics of the links for the recursion, in the axes of each branch's root: one pass from the roots
+//! outward.
 //!
-//! In one frame the twists of a branch can be added, and inertias need not be transformed from link to link. The root's
-//! frame is close, so lengths are no larger than the crane, however far the ship is from the world's origin.
+//! In a common frame the twists of a branch can be added, and inertias are not transformed from link to link.
+//! The root's frame is near, so lengths are at most the size of the crane, even if the ship is far from the
+//! world's origin.
 
 use super::moving_link::MovingLink;
 use crate::model::{Attachment, Carrier, LinkInertia, Model};
@@ -12,18 +14,19 @@ use std::sync::OnceLock;
 /// Positions and velocities of the links. "Root" is the first link of a branch; its frame is at its centre of mass.
 #[derive(Clone, Debug)]
 pub struct LinkKinematics<S = f64> {
-    /// A record a link.
+    /// One record per link.
     links: Vec<MovingLink<S>>,
-    /// World frame of each root, at the root's own index; the identity elsewhere.
+    /// World frame of each root, at the root's index; the identity for other links.
     root_in_world: Vec<Frame<S>>,
-    /// The inertias that are not those of rigid bodies, by link, about the root's origin in its axes.
+    /// Inertias that are not those of rigid bodies, by link, about the root's origin in its axes.
     full: Vec<(usize, SpatialInertia<S>)>,
-    /// World frames of the bodies, each stored when it is first needed: ropes, hulls and the ledger need the same few.
+    /// World frames of the bodies, each stored at first use: ropes, hulls and the ledger need the same few
+    /// frames.
     body_frames: Vec<OnceLock<Frame<S>>>,
 }
 
 impl<S: Scalar> LinkKinematics<S> {
-    /// Room for a model.
+    /// Allocates the memory for a model.
     pub fn new(model: &Model<S>) -> Self {
         let n = model.plan.len();
         Self {
@@ -34,10 +37,10 @@ impl<S: Scalar> LinkKinematics<S> {
         }
     }
 
-    /// Computes everything from q and v.
+    /// Computes all members from q and v.
     pub fn update(&mut self, model: &Model<S>, q: &[S], v: &[S]) {
         self.full.clear();
-        // A stage asks for few frames: most locks are empty and stay so.
+        // A stage needs few frames: most locks are empty and are not changed.
         for stored in self.body_frames.iter_mut().filter(|frame| frame.get().is_some()) {
             *stored = OnceLock::new();
         }
@@ -60,19 +63,19 @@ impl<S: Scalar> LinkKinematics<S> {
         }
     }
 
-    /// World frame of a root.
+    /// Returns the world frame of a root.
     #[inline]
     pub fn root_in_world(&self, root: usize) -> &Frame<S> {
         &self.root_in_world[root]
     }
 
-    /// A link in its root's frame.
+    /// Returns the frame of a link in its root's frame.
     #[inline]
     pub fn in_root(&self, link: usize) -> &Frame<S> {
         &self.links[link].in_root
     }
 
-    /// Twist of a link about the root's origin, root axes.
+    /// Returns the twist of a link about the root's origin, root axes.
     #[inline]
     pub fn twist(&self, link: usize) -> &Twist<S> {
         &self.links[link].motion.twist
@@ -85,23 +88,23 @@ impl<S: Scalar> LinkKinematics<S> {
         &self.links[link].axis
     }
 
-    /// The records of all links.
+    /// Returns the records of all links.
     #[inline]
     pub(super) fn moving(&self) -> &[MovingLink<S>] {
         &self.links
     }
 
-    /// The inertias that are not those of rigid bodies, by link, about the root's origin in its axes.
+    /// Returns the inertias that are not those of rigid bodies, by link, about the root's origin in its axes.
     pub(super) fn full(&self) -> &[(usize, SpatialInertia<S>)] {
         &self.full
     }
 
-    /// World frame of a body.
+    /// Returns the world frame of a body.
     pub fn body_frame(&self, model: &Model<S>, body: usize) -> Frame<S> {
         *self.body_frames[body].get_or_init(|| self.body_in_world(model, body))
     }
 
-    /// World frame of an attachment.
+    /// Returns the world frame of an attachment.
     pub fn attachment_frame(&self, model: &Model<S>, at: &Attachment<S>) -> Frame<S> {
         at.body.map_or(at.in_body, |body| self.body_frame(model, body).times(&at.in_body))
     }
@@ -110,7 +113,7 @@ impl<S: Scalar> LinkKinematics<S> {
         let body = &model.bodies[body];
         let Some(link) = body.link else { return body.in_link };
         let root = model.roots[link];
-        // A root is at the origin of its own frame.
+        // The root is at the origin of its own frame.
         if root == link {
             self.root_in_world[root].times(&body.in_link)
         } else {
@@ -118,20 +121,20 @@ impl<S: Scalar> LinkKinematics<S> {
         }
     }
 
-    /// Twist of a body in its own axes about its centre of mass.
+    /// Returns the twist of a body in its axes about its centre of mass.
     pub fn body_twist(&self, model: &Model<S>, body: usize) -> Twist<S> {
         self.to_body(model, body, |link| *self.twist(link))
     }
 
-    /// A twist of a body's link, or its spatial rate, in root axes, as that of the body, in its axes about its centre of
-    /// mass; zero for a body that is fixed to the world.
+    /// Converts a twist of a body's link, or its spatial rate, from root axes to the body's axes about its
+    /// centre of mass; zero for a body that is fixed to the world.
     pub fn to_body(&self, model: &Model<S>, body: usize, of_link: impl Fn(usize) -> Twist<S>) -> Twist<S> {
         let body = &model.bodies[body];
         let carried = |link: usize| body.in_link.twist_to_child(&self.in_root(link).twist_to_child(&of_link(link)));
         body.link.map_or(Twist::zero(), carried)
     }
 
-    /// World components of a vector in the axes of a body.
+    /// Converts a vector from world components to the axes of a body.
     pub fn to_body_axes(&self, model: &Model<S>, body: usize, world: Vector3<S>) -> Vector3<S> {
         let body = &model.bodies[body];
         let in_link = body.link.map_or(world, |link| {

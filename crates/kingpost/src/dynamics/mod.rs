@@ -1,4 +1,4 @@
-//! The equations of motion, M* q'' + N* q' = F*, in two forms on purpose.
+//! Equations of motion, M* q'' + N* q' = F*, in two independent forms.
 //!
 //! [`moving_frame`] builds E, B, B', M, D, M*, N* and F* block by block as in the paper: for teaching, for printing,
 //! and as a reference in tests. [`forward`] computes the same accelerations by recursion, in time linear in the number

@@ -1,4 +1,4 @@
-//! One link of the recursion: its position, its motion, its inertia, and the force of its bias acceleration.
+//! A link of the recursion: its position, motion, inertia, and the force due to its bias acceleration.
 //!
 //! The kernels of the outward pass, one per joint. Each is compiled once for a parent that is the root of the branch,
 //! whose frame is that of the root axes, and once for other parents.
@@ -10,40 +10,40 @@ use crate::model::{Carrier, Link, LinkJoint, Moments};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Matrix3, Quaternion, RigidInertia, SpatialInertia, Twist, Vector3, Wrench};
 
-/// A link, root axes.
+/// A link, in root axes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct MovingLink<S> {
-    /// Its frame.
+    /// Frame of the link.
     pub in_root: Frame<S>,
-    /// Twist about the root's origin per unit rate of the link's own joint, where that has one axis.
+    /// Twist about the root's origin per unit rate of the link's joint, if the joint has one axis.
     pub axis: Twist<S>,
     /// Twist and bias acceleration.
     pub motion: LinkMotion<S>,
     /// Inertia about the root's origin; zero if it is not that of a rigid body.
     pub inertia: RigidInertia<S>,
-    /// The wrench for the bias acceleration, about the root's origin.
+    /// Wrench for the bias acceleration, about the root's origin.
     pub bias: Wrench<S>,
 }
 
-/// The place of a joint on its parent, root axes.
+/// Pose of a joint on its parent, root axes.
 struct Seat<S> {
-    /// The link's axes with the coordinates at zero.
+    /// Axes of the link with the coordinates at zero.
     rotation: Matrix3<S>,
-    /// From the parent's origin to the joint, m.
+    /// Vector from the parent's origin to the joint, m.
     way: Vector3<S>,
-    /// From the root's origin to the joint, m.
+    /// Vector from the root's origin to the joint, m.
     position: Vector3<S>,
 }
 
 impl<S: Scalar> Seat<S> {
-    /// On the root of the branch.
+    /// Returns the seat on the root of the branch.
     #[inline(always)]
     fn on_root(plan: &Link<S>) -> Self {
         let Frame { rotation, position } = plan.placement;
         Self { rotation, way: position, position }
     }
 
-    /// For a parent that is not the root.
+    /// Returns the seat on a parent that is not the root.
     #[inline(always)]
     fn on_link(parent: &MovingLink<S>, plan: &Link<S>) -> Self {
         let Frame { rotation, position } = &parent.in_root;
@@ -51,7 +51,7 @@ impl<S: Scalar> Seat<S> {
         Self { rotation: *rotation * plan.placement.rotation, way, position: *position + way }
     }
 
-    /// Twist per unit rate about the link's z.
+    /// Returns the twist per unit rate about the link's z.
     #[inline(always)]
     fn hinge(&self) -> Twist<S> {
         let z = self.rotation.column(2);
@@ -66,8 +66,8 @@ impl<S: Scalar> Seat<S> {
 }
 
 impl<S: Scalar> MovingLink<S> {
-    /// At the root's origin and at rest, without inertia: the constant values for a root's frame, for an inertia that
-    /// is not that of a rigid body, and for the axis of a joint on the root.
+    /// Returns a link at the root's origin and at rest, without inertia: the constant values for a root's
+    /// frame, for an inertia that is not that of a rigid body, and for the axis of a joint on the root.
     pub fn still(plan: &Link<S>) -> Self {
         let axis = match (plan.carrier, plan.joint) {
             (Carrier::Root(_), LinkJoint::Revolute) => Seat::on_root(plan).hinge(),
@@ -83,7 +83,7 @@ impl<S: Scalar> MovingLink<S> {
         }
     }
 
-    /// On the world; `in_world` is its frame and that of its branch.
+    /// Updates a link on the world; `in_world` is its frame and that of its branch.
     #[inline]
     pub fn stand(&mut self, plan: &Link<S>, q: &[S], v: &[S], in_world: &mut Frame<S>) {
         if plan.joint == LinkJoint::Floating {
@@ -119,7 +119,7 @@ impl<S: Scalar> MovingLink<S> {
         }
     }
 
-    /// On the root of its branch.
+    /// Updates a link on the root of its branch.
     #[inline]
     pub fn mount_on_root(&mut self, plan: &Link<S>, root: &Self, q: &[S], v: &[S]) {
         match plan.joint {
@@ -130,7 +130,7 @@ impl<S: Scalar> MovingLink<S> {
         }
     }
 
-    /// For a parent that is not the root.
+    /// Updates a link whose parent is not the root.
     #[inline]
     pub fn mount(&mut self, plan: &Link<S>, parent: &Self, q: &[S], v: &[S]) {
         match plan.joint {
@@ -149,7 +149,7 @@ impl<S: Scalar> MovingLink<S> {
         }
     }
 
-    /// `R = R_seat Rz(angle)`.
+    /// Updates a link on a revolute joint: `R = R_seat Rz(angle)`.
     #[inline(always)]
     fn hinge(&mut self, plan: &Link<S>, parent: &LinkMotion<S>, seat: &Seat<S>, q: &[S], v: &[S]) {
         let rotation = seat.rotation.turned_about_z(q[plan.positions].sin_cos());
@@ -158,7 +158,7 @@ impl<S: Scalar> MovingLink<S> {
         self.motion = parent.turned(&(self.axis * v[plan.velocities]), seat.way, arm);
     }
 
-    /// `R = R_seat`.
+    /// Updates a link on a prismatic joint: `R = R_seat`.
     #[inline(always)]
     fn slide(&mut self, plan: &Link<S>, parent: &LinkMotion<S>, seat: &Seat<S>, q: &[S], v: &[S]) {
         let z = self.axis.linear;
@@ -167,7 +167,7 @@ impl<S: Scalar> MovingLink<S> {
         self.motion = parent.slid(z * v[plan.velocities], seat.way + arm);
     }
 
-    /// `R = R_seat R(q)`.
+    /// Updates a link on a ball joint: `R = R_seat R(q)`.
     #[inline(never)]
     fn ball(&mut self, plan: &Link<S>, parent: &LinkMotion<S>, seat: &Seat<S>, q: &[S], v: &[S]) {
         let rotation = seat.rotation * Quaternion::from_slice(&q[plan.positions..]).to_matrix();
@@ -177,8 +177,8 @@ impl<S: Scalar> MovingLink<S> {
         self.motion = parent.turned(&own, seat.way, arm);
     }
 
-    /// The inertia of a body with its frame at the centre of mass, in root axes, and the force for its bias acceleration by Newton
-    /// and Euler: `f = m a, n = J alpha + omega x J omega`.
+    /// Computes the inertia of a link with its frame at the centre of mass, in root axes, and the force for
+    /// its bias acceleration by Newton and Euler: `f = m a, n = J alpha + omega x J omega`.
     #[inline]
     pub fn take_central(&mut self, mass: S, moments: &Moments<S>) {
         let LinkMotion { twist, bias_acceleration } = &self.motion;
@@ -189,8 +189,8 @@ impl<S: Scalar> MovingLink<S> {
         self.inertia = RigidInertia::of_centre(mass, centre, &moments);
     }
 
-    /// Takes the inertia of a floating body, which turns at a steady rate about the origin of its frame, and the force
-    /// for its bias acceleration.
+    /// Computes the inertia of a floating link, which rotates at a constant rate about the origin of its
+    /// frame, and the force for its bias acceleration.
     #[inline]
     pub fn take_rigid(&mut self, rigid: &RigidInertia<S>) {
         let LinkMotion { twist, bias_acceleration } = &self.motion;
@@ -199,8 +199,8 @@ impl<S: Scalar> MovingLink<S> {
         self.inertia = *rigid;
     }
 
-    /// Takes the force for the bias acceleration of an inertia that is not that of a rigid body; returns the inertia in
-    /// root axes.
+    /// Computes the force for the bias acceleration of an inertia that is not that of a rigid body; returns
+    /// the inertia in root axes.
     #[inline(never)]
     pub fn take_full(&mut self, full: &SpatialInertia<S>) -> SpatialInertia<S> {
         let full = full.to_parent(&self.in_root);
@@ -208,14 +208,15 @@ impl<S: Scalar> MovingLink<S> {
         full
     }
 
-    /// The force for the bias acceleration of an inertia in root axes by Kirchhoff's equations, `I a + v x* I v`.
+    /// Computes the force for the bias acceleration of an inertia in root axes by Kirchhoff's equations, `I a
+    /// + v x* I v`.
     #[inline]
     pub fn kirchhoff(&self, inertia: &SpatialInertia<S>) -> Wrench<S> {
         inertia.times(&self.spatial_bias_acceleration())
             + self.motion.twist.cross_momentum(&inertia.times(&self.motion.twist))
     }
 
-    /// The rate of the twist about the root's origin with every coordinate's acceleration at zero.
+    /// Returns the rate of the twist about the root's origin for zero accelerations of all coordinates.
     #[inline]
     pub fn spatial_bias_acceleration(&self) -> Twist<S> {
         self.motion.spatial_bias_acceleration(self.in_root.position)

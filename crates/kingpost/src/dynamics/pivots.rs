@@ -1,15 +1,15 @@
-//! Checks that every coordinate moves some mass.
+//! Check that every coordinate moves some mass.
 
 use super::ball::Ball;
 use super::{LinkKinematics, Loads, forward};
 use crate::model::{LinkJoint, Model, MotionType};
 use crate::spatial::{SpatialInertia, Twist};
 
-/// A pivot of M* below this share of the coordinate's inertia with a locked branch is rounding.
+/// Largest pivot of M* that counts as rounding, as a share of the coordinate's inertia with a locked branch.
 const SMALLEST_SHARE: f64 = 1e-13;
 
-/// A coordinate of v that has no articulated inertia, found in time linear in the number of links; of several on a
-/// branch the outermost, which affects the others. `None` if M* is positive definite.
+/// Returns a coordinate of v without articulated inertia, found in time linear in the number of links; of
+/// several on a branch the outermost, because it affects the others. `None` if M* is positive definite.
 pub fn massless_coordinate(model: &Model, links: &LinkKinematics, v: &[f64]) -> Option<usize> {
     let (loads, mut work) = (Loads::new(model), forward::Workspace::new(model));
     let mut v_dot = vec![0.0; v.len()];
@@ -22,7 +22,7 @@ pub fn massless_coordinate(model: &Model, links: &LinkKinematics, v: &[f64]) -> 
             LinkJoint::Spherical => Ball::new(plan, links.in_root(i)).axes().to_vec(),
             LinkJoint::Revolute | LinkJoint::Prismatic => vec![*links.axis(i)],
         };
-        // A floating joint's coordinates list the translation first, its twists the rotation.
+        // The coordinates of a floating joint start with the translation, its twists with the rotation.
         let coordinate = |k: usize| at + if directions.len() == 6 { (k + 3) % 6 } else { k };
         let moving = (0..directions.len()).filter(|&k| model.modes[coordinate(k)] == MotionType::Free);
         let moving: Vec<usize> = moving.collect();
@@ -35,7 +35,7 @@ pub fn massless_coordinate(model: &Model, links: &LinkKinematics, v: &[f64]) -> 
     None
 }
 
-/// Inertia of each link with its subtree and locked joints, root axes.
+/// Returns the inertia of each link with its subtree and locked joints, root axes.
 fn locked_inertias(model: &Model, links: &LinkKinematics) -> Vec<SpatialInertia> {
     let nodes = &model.links.nodes;
     let mut locked: Vec<SpatialInertia> =
@@ -49,7 +49,7 @@ fn locked_inertias(model: &Model, links: &LinkKinematics) -> Vec<SpatialInertia>
     locked
 }
 
-/// Rotation about x, y, z, then translation along them.
+/// Returns unit twists: rotation about x, y, z, then translation along them.
 fn unit_twists() -> [Twist; 6] {
     core::array::from_fn(|k| {
         let mut twist = Twist::zero();
@@ -59,7 +59,8 @@ fn unit_twists() -> [Twist; 6] {
     })
 }
 
-/// Cholesky's pivots of the inertia over some directions with their rotors, each relative to the locked diagonal.
+/// Returns the first small Cholesky pivot of the inertia in some directions with their rotors, relative to
+/// the locked diagonal.
 fn first_small_pivot(free: &SpatialInertia, locked: &SpatialInertia, directions: &[(Twist, f64)]) -> Option<usize> {
     let n = directions.len();
     let mut l = vec![0.0; n * n];

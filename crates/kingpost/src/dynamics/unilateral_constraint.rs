@@ -1,42 +1,42 @@
-//! A temporary constraint of an element: a taut inextensible rope.
+//! Temporary constraint of an element, such as a taut inextensible rope.
 
 use super::LinkKinematics;
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::spatial::{Twist, Wrench};
 
-/// A one-sided constraint phi(q) = 0: its force, the multiplier, is positive while it holds, and it lets go when the
-/// force would become negative.
+/// A one-sided constraint phi(q) = 0: its force, the multiplier, is positive while it is active, and it
+/// releases when the force would become negative.
 ///
 /// Its row of J is given by the loads of a unit multiplier on the bodies and along coordinates: `phi' = sum W . V + sum
 /// c q'`, by d'Alembert's principle.
 #[derive(Clone, Debug)]
 pub struct UnilateralConstraint<S = f64> {
-    /// The element that holds.
+    /// Name of the element.
     pub name: String,
-    /// Whether it holds now.
+    /// Whether the constraint is active.
     pub acts: bool,
     /// phi, m.
     pub residual: S,
     /// phi', m/s.
     pub rate: S,
-    /// phi'' with zero spatial acceleration of all bodies, where each point x accelerates by omega x x' only, and
-    /// constant rates of the coordinates below, m/s^2.
+    /// phi'' for zero spatial acceleration of all bodies, so that each point x has only the acceleration
+    /// omega x x', and constant rates of the coordinates in `along`, m/s^2.
     pub bias_acceleration: S,
-    /// By body: the wrench of one unit, in body axes about its centre of mass.
+    /// Wrench of a unit multiplier on each body, in body axes about its centre of mass.
     pub wrenches: Vec<(usize, Wrench<S>)>,
-    /// By index in v: the load of one unit along a coordinate, with its reaction on the parent.
+    /// Load of a unit multiplier along coordinates, by index in v, with its reaction on the parent.
     pub along: Vec<(usize, S)>,
 }
 
 impl<S: Scalar> UnilateralConstraint<S> {
-    /// The restraint of the element with this name; it does not act yet.
+    /// Creates the restraint of the element with this name; it is not yet active.
     pub fn new(name: &str) -> Self {
         let (name, wrenches, along) = (name.to_owned(), Vec::new(), Vec::new());
         Self { name, acts: false, residual: S::ZERO, rate: S::ZERO, bias_acceleration: S::ZERO, wrenches, along }
     }
 
-    /// Removes its loads on the bodies.
+    /// Removes the loads on the bodies.
     pub fn clear(&mut self) {
         self.wrenches.clear();
         self.along.clear();
@@ -54,7 +54,8 @@ impl<S: Scalar> UnilateralConstraint<S> {
         }
     }
 
-    /// `sum W . V + sum c q'` of the bodies' twists, in body axes about their centres of mass, and of the coordinates' rates.
+    /// Returns `sum W . V + sum c q'` of the bodies' twists, in body axes about their centres of mass, and of
+    /// the coordinates' rates.
     pub fn times(&self, twist: impl Fn(usize) -> Twist<S>, rates: &[S]) -> S {
         let by_bodies = self.wrenches.iter().fold(S::ZERO, |sum, (body, wrench)| sum + wrench.dot(&twist(*body)));
         self.along.iter().fold(by_bodies, |sum, (coordinate, load)| sum + *load * rates[*coordinate])

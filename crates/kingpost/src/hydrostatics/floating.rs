@@ -1,4 +1,4 @@
-//! One hull at rest in still water.
+//! A hull at rest in still water.
 
 use super::hanging::{HangingLoad, Restraints, Weight, aboard, loads};
 use super::liquids::{FreeSurface, Liquids};
@@ -13,14 +13,14 @@ use crate::sea::hull::{FloatingPosition, HullMesh, HullTank, Loading, StabilityE
 use crate::spatial::{Frame, Vector3};
 use crate::world::World;
 
-/// A warning is given if the draught differs from that of linear hydrodynamic data by more than this share.
+/// Largest difference of the draught from that of linear hydrodynamic data without a warning, as a share.
 const LARGEST_DRAUGHT_CHANGE: f64 = 0.05;
-/// A warning is given if the bottom comes out of the water before this heel or trim, deg.
+/// Smallest heel or trim, deg, at which the bottom may come out of the water without a warning.
 const LARGEST_ANGLE_DEG: f64 = 3.0;
-/// A warning is given if the displacement differs from the mass by more than this share.
+/// Largest difference of the displacement from the mass without a warning, as a share of the mass.
 const LARGEST_PULL: f64 = 1e-3;
 
-/// A hull with its data, in the model at rest.
+/// A hull with its data, in a model at rest.
 pub(super) struct LoadedHull<'a> {
     pub(super) hull: &'a Hull,
     pub(super) database: &'a Database,
@@ -29,11 +29,11 @@ pub(super) struct LoadedHull<'a> {
     pub(super) world: &'a World,
     /// All tanks of the model.
     pub(super) liquids: &'a Liquids<'a>,
-    /// The restraints that keep loads from swinging.
+    /// Restraints that keep loads from swinging.
     pub(super) restraints: &'a Restraints,
 }
 
-/// The part under water, in the hull's axes about its origin.
+/// Submerged part of the hull, in the hull's axes about its origin.
 struct Underwater {
     volume: f64,
     centre: Vector3,
@@ -43,7 +43,7 @@ struct Underwater {
 }
 
 impl LoadedHull<'_> {
-    /// An error if the whole hull displaces less than its weight.
+    /// Returns an error if the whole hull displaces less than its weight.
     pub(super) fn check_capacity(&self) -> Result<(), HydrostaticsError> {
         let Some(mesh) = self.mesh() else { return Ok(()) };
         let mass = self.carried_weight().mass;
@@ -55,7 +55,7 @@ impl LoadedHull<'_> {
         Err(HydrostaticsError::Hull { force: self.hull.name.clone(), error })
     }
 
-    /// Its floating position, if it floats, and warnings.
+    /// Returns the floating position, if the hull floats, and warnings.
     pub(super) fn describe(&self) -> (Option<HullAfloat>, Vec<String>) {
         let (position, mesh) = (self.position(), self.mesh());
         let underwater = match &mesh {
@@ -90,13 +90,13 @@ impl LoadedHull<'_> {
         self.world.water_density
     }
 
-    /// The mesh of its data, if there is a valid one.
+    /// Returns the mesh of the hull's data, if there is a valid one.
     fn mesh(&self) -> Option<HullMesh> {
         let mesh = self.database.hull.mesh.as_ref()?;
         HullMesh::new(mesh.vertices_m.clone(), mesh.triangles.clone()).ok()
     }
 
-    /// The data's frame in the world.
+    /// Returns the frame of the hull's data in the world.
     pub(super) fn frame(&self) -> Frame {
         self.at.world[self.hull.frame.body].times(&Frame::translation(self.hull.frame.origin))
     }
@@ -111,7 +111,8 @@ impl LoadedHull<'_> {
         self.liquids.with_flooding(weight, self.at, &aboard)
     }
 
-    /// Centre of gravity with the liquid in slack tanks as in the upright hull, hull axes, from the data's origin, m.
+    /// Returns the centre of gravity, with the liquid in slack tanks at its position in the upright hull;
+    /// hull axes, from the data's origin, m.
     fn centre_of_gravity(&self) -> Vector3 {
         self.frame().inverse().point(self.carried_weight().centre)
     }
@@ -119,10 +120,11 @@ impl LoadedHull<'_> {
     fn hanging(&self) -> Vec<HangingLoad> {
         let frame = self.frame();
         let axes = tangents(self.position().vertical).map(|t| frame.rotation * t);
-        // Heel moves the vertical across the ship about its longitudinal axis; for trim it is the other way round.
+        // Heel rotates the vertical about the ship's longitudinal axis, in the transverse plane; trim rotates
+        // it about the transverse axis.
         let [across, along] = axes;
         let all = loads(self.model, self.at, self.hull.frame.body, self.restraints, [along, across]);
-        // The liquid of a U-tank is a pendulum to the model, but levels to a ship.
+        // In the model the liquid of a U-tank is a pendulum; for stability it is two free surfaces.
         all.into_iter().filter(|load| self.liquids.u_tanks.iter().all(|tank| tank.name != load.body)).collect()
     }
 
@@ -168,7 +170,8 @@ impl LoadedHull<'_> {
         }
     }
 
-    /// Warnings of a hull outside the range of its linear data, and of its stability.
+    /// Returns the warnings about a hull: outside the range of its linear data, bottom out of the water at
+    /// small angles, displacement different from mass, GM not positive.
     fn warnings(&self, hull: &HullAfloat) -> Vec<String> {
         let mut warnings = if self.hull.is_linear() { self.off_the_database(hull) } else { Vec::new() };
         let (body, draught) = (&hull.body, hull.draught_m);
@@ -183,7 +186,7 @@ impl LoadedHull<'_> {
         }
         if (hull.displacement_kg - hull.mass_kg).abs() > LARGEST_PULL * hull.mass_kg {
             warnings.push(format!(
-                "{body}: it displaces {:.3} t and weighs {:.3} t: other forces that carry or pull it are not in KG, GM and GZ",
+                "{body}: it displaces {:.3} t and weighs {:.3} t: other forces that carry or pull it are not included in KG, GM and GZ",
                 hull.displacement_kg / 1000.0,
                 hull.mass_kg / 1000.0
             ));
@@ -224,8 +227,8 @@ impl LoadedHull<'_> {
         warnings
     }
 
-    /// GZ with the centre of gravity raised by hanging loads and by the levels of U-tanks and free-flooding tanks, and with
-    /// slack tanks level at each heel.
+    /// Returns GZ with the centre of gravity raised by hanging loads and by the levels of U-tanks and
+    /// free-flooding tanks; the liquid in slack tanks is level at each heel.
     fn righting_arm(
         &self,
         mesh: &HullMesh,
@@ -246,12 +249,12 @@ impl LoadedHull<'_> {
     }
 }
 
-/// Heel and trim for a vertical in hull axes, rad.
+/// Returns heel and trim for a vertical in hull axes, rad.
 fn heel_and_trim(vertical: Vector3) -> [f64; 2] {
     [libm::atan2(vertical[1], vertical[2]), libm::atan2(-vertical[0], libm::hypot(vertical[1], vertical[2]))]
 }
 
-/// Rise of the total centre of gravity by hanging loads, for heel and for trim, m.
+/// Returns the rise of the total centre of gravity by hanging loads, for heel and for trim, m.
 fn rise_of(hanging: &[HangingLoad], mass: f64) -> [f64; 2] {
     [0, 1].map(|k| {
         let moments = hanging.iter().map(|load| load.mass_kg * load.length_m * load.free_share[k]);
@@ -273,7 +276,8 @@ impl Underwater {
         })
     }
 
-    /// For a wall-sided hull with the waterplane of its data and small angles: sinkage adds a layer of that area.
+    /// Returns the submerged part of a wall-sided hull with the waterplane of its data, for small angles:
+    /// sinkage adds a layer with the area of this waterplane.
     fn of_waterplane(database: &Database, position: &FloatingPosition) -> Option<Self> {
         let (hull, plane) = (&database.hull, &database.hull.waterplane);
         let ([x, y], [xx, _, yy]) = (plane.first_moments_m3, plane.second_moments_m4);
@@ -291,7 +295,7 @@ impl Underwater {
     }
 }
 
-/// Unit vectors across and along the ship in the water's plane, hull axes.
+/// Returns unit vectors in the water's plane, across and along the ship, in hull axes.
 fn tangents(vertical: Vector3) -> [Vector3; 2] {
     let along = (Vector3::new(1.0, 0.0, 0.0) - vertical * vertical[0]).direction();
     [vertical.cross(along), along]

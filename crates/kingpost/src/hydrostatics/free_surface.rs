@@ -8,7 +8,7 @@ use crate::sea::hull::HullTank;
 use crate::spatial::{Matrix3, Vector3};
 
 impl LoadedHull<'_> {
-    /// The tanks whose liquid heels with the hull, with their axes in the hull's.
+    /// Returns the slack tanks on the hull and on bodies that move with it, with their axes in hull axes.
     pub(super) fn tanks(&self, hanging: &[HangingLoad]) -> Vec<(&SlackTank, HullTank)> {
         let to_hull = self.frame().rotation.transpose();
         let hull = self.model.carried(self.hull.frame.body);
@@ -25,13 +25,14 @@ impl LoadedHull<'_> {
         self.liquids.slack_tanks.iter().filter(of_hull).map(|tank| (*tank, placed(tank))).collect()
     }
 
-    /// Shift of the centre of gravity by the liquid in tanks, hull axes, m.
+    /// Returns the shift of the centre of gravity by the liquid in tanks, hull axes, m.
     pub(super) fn liquid_shift(&self, tanks: &[(&SlackTank, HullTank)], vertical: Vector3) -> Vector3 {
         let shift = tanks.iter().fold(Vector3::zero(), |sum, (_, tank)| sum + tank.shift(vertical));
         shift * (1.0 / self.carried_weight().mass)
     }
 
-    /// Their free surfaces; `tangents` are the axes across and along the ship in the water's plane, hull axes.
+    /// Returns the free surfaces of the tanks; `tangents` are the axes across and along the ship in the
+    /// water's plane, hull axes.
     pub(super) fn free_surfaces(
         &self,
         tanks: &[(&SlackTank, HullTank)],
@@ -57,8 +58,8 @@ impl LoadedHull<'_> {
         tanks.iter().map(describe).collect()
     }
 
-    /// The levels of the U-tanks and the free-flooding tanks that the hull carries; `plane` is the area of her waterplane and
-    /// its centre, hull axes.
+    /// Returns the free surfaces of the U-tanks and the free-flooding tanks that the hull carries; `plane` is
+    /// the area of her waterplane and its centre, hull axes.
     pub(super) fn surfaces_of_levels(&self, plane: (f64, Vector3), tangents: [Vector3; 2]) -> Vec<FreeSurface> {
         let hull = self.model.carried(self.hull.frame.body);
         let u_tanks = self.liquids.u_tanks.iter().filter(|tank| hull.contains(&tank.carrier));
@@ -80,7 +81,8 @@ impl LoadedHull<'_> {
         })
     }
 
-    /// Tanks whose opening is under water take their area out of the waterplane, whose centre moves.
+    /// Returns the free surfaces of tanks whose opening is under water: their area is subtracted from the
+    /// waterplane, whose centre moves.
     fn surfaces_of_flooded<'b>(
         &self,
         tanks: impl Iterator<Item = &'b &'b FreeFloodingTank>,

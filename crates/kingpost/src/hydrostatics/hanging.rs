@@ -1,5 +1,5 @@
-//! Loads that hang freely on a joint or a line: their weight acts on the ship at the suspension point. Loads that stand
-//! on her deck: their weight acts where they are.
+//! Loads that hang freely on a joint or a line: their weight acts on the ship at the suspension point. Loads
+//! that stand on the deck: their weight acts at their position.
 
 use crate::dynamics::{Kinematics, LinkKinematics};
 use crate::elements::{BodyPair, Context, PresentSupport, Support};
@@ -20,13 +20,14 @@ use serde::Serialize;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HangingLoad {
-    /// The joint or the line that it hangs from.
+    /// Joint or line from which the load hangs.
     pub joint: String,
     /// The body under the joint.
     pub body: String,
-    /// Mass of the body and all that it carries, less that of the water that it displaces as a lifted object, kg.
+    /// Mass of the body and of all bodies that it carries, less the mass of the water that lifted objects
+    /// among them displace, kg.
     pub mass_kg: f64,
-    /// Distance of their centre below the joint, m.
+    /// Distance of their common centre of mass below the joint, m.
     pub length_m: f64,
     /// The share of that length by which the effective centre of gravity rises, for heel and for trim: `|P u|^2`, with
     /// u the axis of heel or trim and P the projection on the joint's free axes. For a load that swings about one axis
@@ -34,25 +35,25 @@ pub struct HangingLoad {
     pub free_share: [f64; 2],
 }
 
-/// The bodies and coordinates that something keeps from swinging.
+/// Bodies and coordinates that cannot swing freely.
 #[derive(Default)]
 pub(super) struct Restraints {
     coordinates: Vec<usize>,
     bodies: Vec<usize>,
     /// Spring lines and the legs of ropes, by name.
     lines: Vec<(String, [Attachment; 2])>,
-    /// Bodies that loops, cylinders and mooring lines are attached to.
+    /// Bodies to which loops, cylinders and mooring lines are attached.
     tied: Vec<usize>,
     /// Hulls in the water.
     wet: Vec<usize>,
     /// Bodies that touch each other.
     touching: Vec<BodyPair>,
-    /// The water that lifted objects displace, by body.
+    /// Mass of water that lifted objects displace, by body.
     displaced: Vec<(usize, Weight)>,
 }
 
 impl Restraints {
-    /// Those of a setup in its positions.
+    /// Returns the restraints of a setup in its present position.
     pub(super) fn of(mut setup: Setup) -> Self {
         let loops = setup.model.loops.iter().flat_map(|closed| [closed.first.body, closed.second.body]);
         let mut found = Self { tied: loops.flatten().collect(), ..Self::default() };
@@ -90,8 +91,8 @@ impl Restraints {
         }
     }
 
-    /// Whether a hull floats alone: it hangs on nothing, carries no other hull, and no line or loop connects it to
-    /// another body.
+    /// Returns whether a hull floats alone: it does not hang, carries no other hull, and no line or loop
+    /// connects it to another body.
     pub(super) fn floats_alone(&self, model: &Model, hull: usize) -> bool {
         let own = model.carried(hull);
         let is_own = |end: &Attachment| end.body.is_some_and(|body| own.contains(&body));
@@ -105,7 +106,7 @@ impl Restraints {
     }
 }
 
-/// A load that hangs on lines from one point of a ship.
+/// A load that hangs on lines from a single point of a ship.
 pub(super) struct OnLine {
     line: String,
     bodies: Vec<usize>,
@@ -113,14 +114,14 @@ pub(super) struct OnLine {
     point: Vector3,
 }
 
-/// Ends of the legs of one rope count as one point if they are closer together than this share of the distance to the
-/// load: the relative error of the pendulum length is (spread / distance)^2.
+/// Largest distance between ends of the legs of one rope that count as one point, as a share of the distance
+/// to the load: the relative error of the pendulum length is (spread / distance)^2.
 const NARROW: f64 = 0.1;
 
-/// Ends of lines closer together than this count as one point, m.
+/// Largest distance between ends of lines that count as one point, m.
 const ONE_POINT_M: f64 = 1e-6;
 
-/// The loads that hang on lines from a hull and the bodies that its joints carry.
+/// Returns the loads that hang on lines from a hull and the bodies that its joints carry.
 pub(super) fn on_lines(model: &Model, at: &Kinematics, hull: usize, restraints: &Restraints) -> Vec<OnLine> {
     let ship = model.carried(hull);
     let point = |end: &Attachment| end.body.map(|body| at.world[body].point(end.in_body.position));
@@ -159,7 +160,7 @@ pub(super) fn on_lines(model: &Model, at: &Kinematics, hull: usize, restraints: 
         .collect()
 }
 
-/// A weight and its centre in the world.
+/// A mass, and its centre in the world.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Weight {
     pub(super) mass: f64,
@@ -167,7 +168,8 @@ pub(super) struct Weight {
 }
 
 impl Restraints {
-    /// The weight of several bodies together, less the buoyancy of those that are lifted objects in the water.
+    /// Returns the total weight of several bodies, less the buoyancy of those that are lifted objects in the
+    /// water.
     pub(super) fn weight(&self, model: &Model, at: &Kinematics, bodies: &[usize]) -> Weight {
         let of_body = |&body: &usize| (model.bodies[body].mass, at.world[body].position);
         let buoyant = self.displaced.iter().filter(|(body, _)| bodies.contains(body));
@@ -179,8 +181,8 @@ impl Restraints {
     }
 }
 
-/// The loads that hang on a hull, each at the outermost joint that lets it swing; `axes` are those of
-/// heel and trim in the world.
+/// Returns the loads that hang on a hull, each at the outermost joint about which it can swing; `axes` are
+/// those of heel and trim in the world.
 pub(super) fn loads(
     model: &Model,
     at: &Kinematics,
@@ -221,15 +223,15 @@ pub(super) fn loads(
     found
 }
 
-/// The bodies whose weight a hull carries: by its joints, on lines, and those that stand on its deck.
+/// Returns the bodies whose weight a hull carries: by its joints, on lines, or on its deck.
 pub(super) fn aboard(model: &Model, at: &Kinematics, hull: usize, restraints: &Restraints) -> Vec<usize> {
     let on_lines = on_lines(model, at, hull, restraints).into_iter().flat_map(|load| load.bodies);
     let on_deck = on_deck(model, hull, restraints);
     model.carried(hull).into_iter().chain(on_lines).chain(on_deck).collect()
 }
 
-/// Free bodies, with the bodies that their joints carry, that touch a hull or a body on it, and that nothing else
-/// holds.
+/// Returns the free bodies that stand on a hull or on a body that it carries and that nothing else holds,
+/// with the bodies that their joints carry.
 fn on_deck(model: &Model, hull: usize, restraints: &Restraints) -> Vec<usize> {
     let ship = model.carried(hull);
     let is_free = |root: &usize| {
@@ -248,10 +250,10 @@ fn on_deck(model: &Model, hull: usize, restraints: &Restraints) -> Vec<usize> {
     roots.map(|root| model.carried(root)).filter(stands).flatten().collect()
 }
 
-/// Smaller shares are rounding.
+/// Smallest share that is not rounding.
 const SMALLEST_SHARE: f64 = 1e-9;
 
-/// Unit vectors, at right angles, that span the axes about which a body turns freely, in the world.
+/// Returns perpendicular unit vectors that span the axes about which a body turns freely, in the world.
 fn free_axes(model: &Model, at: &Kinematics, body: usize, restraints: &Restraints) -> Vec<Vector3> {
     let node = &model.tree.nodes[body];
     let own = node.velocities..node.velocities + node.kind.velocity_count();

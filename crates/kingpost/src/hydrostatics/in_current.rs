@@ -1,17 +1,17 @@
-//! Warnings of effects of a current on the waves that the loads on a hull neglect.
+//! Warnings of effects of a current on waves that the loads on a hull neglect.
 
 use super::floating::LoadedHull;
 use crate::elements::hull::{HullVelocity, LowFrequencyFrame, WaveExcitation, WaveForceSwitches};
 use crate::sea::waves::{WaveComponent, WaveField, group_velocity_m_s};
 
-/// A warning is given if a current would change the wave lengths or the mean drift by more than this share.
+/// Largest effect of a current on the wave lengths or the mean drift without a warning, as a share.
 const LARGEST_CHANGE: f64 = 0.05;
-/// Smallest mean tanh(k h) of the waves for which a deep-water formula holds.
+/// Smallest mean tanh(k h) of the waves for which a deep-water formula is valid.
 const LEAST_DEEP: f64 = 0.98;
 
 impl LoadedHull<'_> {
-    /// Warnings of the wave lengths in a current, of drift without the effect of the current, and of drift damping in
-    /// shallow water.
+    /// Returns warnings of the wave lengths in a current, of drift without the effect of the current, and of
+    /// drift damping in shallow water.
     pub(super) fn current_warnings(&self) -> Vec<String> {
         let (Some(waves), Some(excitation)) = (&self.world.waves, &self.hull.excitation) else { return Vec::new() };
         let body = &self.model.bodies[self.hull.frame.body].name;
@@ -28,8 +28,9 @@ impl LoadedHull<'_> {
         [x, y]
     }
 
-    /// From (w - k.U)^2 = g k tanh(k h) with the frequency w at a fixed point, to first order in U: the relative growth
-    /// of the length is U.e over the group velocity.
+    /// Returns a warning if the current would change the wave lengths. (w - k.U)^2 = g k tanh(k h) with the
+    /// frequency w at a fixed point gives, to first order in U, the relative change of the length: U.e over
+    /// the group velocity.
     fn length_warning(&self, waves: &WaveField) -> Option<String> {
         let [x, y] = self.current();
         let longer = |wave: &WaveComponent| {
@@ -39,7 +40,7 @@ impl LoadedHull<'_> {
         let mean = of_energy(waves, longer);
         let words = || {
             format!(
-                "its waves have the lengths that they have without a current: a current of {:.2} m/s would make them {:.1} % {} \
+                "its wave lengths are those without a current: a current of {:.2} m/s would make them {:.1} % {} \
                  at the same periods, on average (warned of beyond {:.0} %)",
                 libm::hypot(x, y),
                 100.0 * mean.abs(),
@@ -50,7 +51,8 @@ impl LoadedHull<'_> {
         (mean.abs() > LARGEST_CHANGE).then(words)
     }
 
-    /// From Aranha's formula for a hull at rest in the current.
+    /// Returns a warning if the current would change the mean drift, by Aranha's formula for a hull at rest
+    /// in the current.
     fn drift_warning(&self, waves: &WaveField) -> Option<String> {
         let [x, y] = self.current();
         let slow = LowFrequencyFrame::of(&self.frame());
@@ -92,7 +94,7 @@ fn depth_warning(waves: &WaveField) -> Option<String> {
     (mean < LEAST_DEEP).then(words)
 }
 
-/// The mean over the waves, weighted by energy.
+/// Returns the mean of a number over the waves, weighted by energy.
 fn of_energy(waves: &WaveField, number: impl Fn(&WaveComponent) -> f64) -> f64 {
     let energy = |wave: &WaveComponent| wave.amplitude_m * wave.amplitude_m;
     let all: f64 = waves.components().map(energy).sum();

@@ -1,5 +1,6 @@
-//! How the hulls of a scenario float with the crane in its present position: draught, heel and trim at rest, the
-//! metacentric height with hanging loads at their suspension points and free surfaces of slack tanks, righting arms.
+//! Hydrostatics of the hulls of a scenario with the crane in its present position: draught, heel and trim at
+//! rest, metacentric height (with hanging loads at their suspension points and free surfaces of slack tanks),
+//! and righting arms.
 //!
 //! ```no_run
 //! # fn of(scenario: &kingpost::Scenario) -> Result<(), kingpost::hydrostatics::HydrostaticsError> {
@@ -46,8 +47,8 @@ pub struct HydrostaticReport {
     pub warnings: Vec<String>,
 }
 
-/// A hull at rest in still water with all that its joints carry. Pairs are across the ship, for heel,
-/// and along it, for trim.
+/// A hull at rest in still water, with all bodies that its joints carry. The first number of a pair is for
+/// heel (across the ship), the second for trim (along the ship).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HullAfloat {
@@ -88,23 +89,24 @@ pub struct HullAfloat {
     pub hanging: Vec<HangingLoad>,
     /// The free surfaces of slack tanks, U-tanks and free-flooding tanks.
     pub free_surfaces: Vec<FreeSurface>,
-    /// GZ to the side that the ship lists to; `None` without a mesh.
+    /// GZ to the side of the list; `None` without a mesh.
     pub righting_arm: Option<RightingArmCurve>,
-    /// Whether volume, KB and BM are those of the floating mesh; else they follow from the waterplane at the database's
-    /// draught, moved along the hull's z.
+    /// Whether volume, KB and BM are computed from the floating mesh; otherwise they follow from the
+    /// waterplane at the database's draught, moved along the hull's z.
     pub by_mesh: bool,
-    /// Whether the buoyancy of the run, which gives this position, is the mesh's; else it is linear, and the righting
-    /// arms, which are always the mesh's, may pass through zero at another heel.
+    /// Whether this position is computed with the mesh's buoyancy, like the run; otherwise with linear
+    /// buoyancy. The righting arms always use the mesh, so with linear buoyancy they can pass through zero at
+    /// another heel.
     pub rests_by_mesh: bool,
 }
 
-/// Why hulls cannot be described.
+/// Reason why a report is not possible.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum HydrostaticsError {
-    /// A scenario that does not build.
+    /// The scenario does not build.
     #[error(transparent)]
     Scenario(#[from] ScenarioError),
-    /// A hull that does not float.
+    /// A hull does not float.
     #[error("forces.{force}.hydrodynamics: {error}")]
     Hull {
         /// Name of the force.
@@ -115,7 +117,8 @@ pub enum HydrostaticsError {
 }
 
 impl Scenario {
-    /// How its hulls float at rest in still water, with the crane as at the start of a run.
+    /// Returns the floating position and stability of the hulls at rest in still water, with the crane in its
+    /// position at the start of a run.
     ///
     /// # Errors
     /// As [`Self::hydrostatic_report_at`].
@@ -123,9 +126,9 @@ impl Scenario {
         self.clone().build()?.hydrostatic_report()
     }
 
-    /// How its hulls float at the equilibrium of a simulation in still water, with held and prescribed coordinates at
-    /// their present values. For a scenario without equilibrium, or whose water carries nothing, the list of hulls is
-    /// empty and a warning says why.
+    /// Returns the floating position and stability of the hulls at the equilibrium of a simulation in still
+    /// water, with held and prescribed coordinates at their present values. If there is no equilibrium, or
+    /// the water carries no body, the list of hulls is empty and a warning gives the reason.
     ///
     /// # Errors
     /// A hull whose weight is more than the whole hull displaces.
@@ -133,7 +136,7 @@ impl Scenario {
         self.hydrostatic_report_of(&self.setup()?, simulation)
     }
 
-    /// Reports how the hulls float, by the setup of the scenario.
+    /// Reports the floating position and stability of the hulls for a setup of the scenario.
     fn hydrostatic_report_of(
         &self,
         setup: &Setup,
@@ -190,14 +193,14 @@ impl Scenario {
         Ok(report)
     }
 
-    /// Whether the mean drift of its database acts on a hull.
+    /// Returns whether the mean drift of the hull's database acts on it.
     fn drifts(&self, force: &str) -> bool {
         self.hydrodynamics(force).is_some_and(|given| given.wave_drift)
     }
 }
 
 impl BuiltScenario {
-    /// How its hulls float, as [`Scenario::hydrostatic_report`].
+    /// Returns the floating position and stability of the hulls, like [`Scenario::hydrostatic_report`].
     ///
     /// # Errors
     /// Fails where [`Scenario::hydrostatic_report`] does.
@@ -205,7 +208,8 @@ impl BuiltScenario {
         self.hydrostatic_report_at(&Simulation::new(self.setup().clone()))
     }
 
-    /// Reports how the hulls float with the crane as it stands in a simulation, as [`Scenario::hydrostatic_report_at`].
+    /// Returns the floating position and stability of the hulls with the crane in its position in a
+    /// simulation, like [`Scenario::hydrostatic_report_at`].
     ///
     /// # Errors
     /// Fails where [`Scenario::hydrostatic_report_at`] does.
@@ -214,7 +218,7 @@ impl BuiltScenario {
     }
 }
 
-/// The JSON Schema of [`HydrostaticReport`].
+/// Returns the JSON Schema of [`HydrostaticReport`].
 #[cfg(feature = "schema")]
 pub fn json_schema() -> serde_json::Value {
     crate::scenario::json_schema::published::<HydrostaticReport>()

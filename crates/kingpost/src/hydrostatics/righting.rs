@@ -1,18 +1,20 @@
-//! Righting arms of a loaded hull towards the side that it lists to.
+//! Righting arms of a loaded hull to the side of its list.
 
 use crate::sea::hull::{HullMesh, HullTank, Loading, RightingArm, StabilityError};
 use serde::Serialize;
 
-/// The curve is computed at every degree of heel up to this, deg, and given at every fifth.
+/// Largest heel of the reported curve, deg; the curve is computed at every degree, and every fifth point is
+/// kept.
 const LAST_KEPT_DEG: usize = 60;
 const KEPT_EVERY: usize = 5;
 /// Largest heel of the search for the vanishing angle, deg.
 const LAST_HEEL_DEG: usize = 90;
-/// A list below this counts as upright, rad: the curve is then that of the side with the smaller largest arm.
+/// List below which the ship counts as upright, rad: the curve is then for the side with the smaller maximum
+/// arm.
 const UPRIGHT_RAD: f64 = 1e-6;
-/// Arms below this count as 0, m.
+/// Arm below which it counts as 0, m.
 const NO_ARM_M: f64 = 1e-9;
-/// Halvings of the degree in which an arm passes through zero.
+/// Number of bisection steps in the degree of heel in which an arm passes through zero.
 const HALVINGS: usize = 30;
 
 /// A side of the ship.
@@ -29,8 +31,8 @@ pub enum Side {
 /// GZ over the heel to one side, at constant displacement, free to trim, with hanging loads at their suspension points
 /// and slack tanks level.
 ///
-/// For a listing ship it is to the side of the list, where the arms are smaller; for an upright ship to the side with
-/// the smaller largest arm, and to starboard if both are equal.
+/// For a listing ship the curve is for the side of the list, where the arms are smaller; for an upright ship
+/// for the side with the smaller maximum arm, or for starboard if both are equal.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct RightingArmCurve {
@@ -38,14 +40,15 @@ pub struct RightingArmCurve {
     pub side: Side,
     /// Points at heel angles from 0 to 60 deg.
     pub points: Vec<RightingArmPoint>,
-    /// Heel to that side at which the arm becomes positive, rad: the list, or the angle of loll; negative if it lies on the
-    /// other side, as by linear buoyancy a ship may list to one side and by her mesh to the other. `None` if there is none
-    /// up to 90 deg.
+    /// Heel to the curve's side at which the arm becomes positive, rad: the list, or the angle of loll.
+    /// Negative if it is on the other side: linear buoyancy and the mesh can give lists to different sides.
+    /// `None` if there is none up to 90 deg.
     pub equilibrium_rad: Option<f64>,
-    /// The largest arm beyond it, m, and its heel, rad, from a parabola through three angles one degree apart.
+    /// Largest arm beyond the equilibrium, m, and its heel, rad, from a parabola through three angles one
+    /// degree apart.
     pub largest: Option<LargestArm>,
-    /// Heel at which the arm becomes negative, rad; `None` if it does not up to 90 deg. The range of positive stability
-    /// is from the equilibrium to this angle.
+    /// Heel at which the arm becomes negative, rad; `None` if this does not occur up to 90 deg. The range of
+    /// positive stability is from the equilibrium to this angle.
     pub vanishing_rad: Option<f64>,
 }
 
@@ -57,11 +60,11 @@ pub struct RightingArmPoint {
     pub heel_rad: f64,
     /// Trim by the bow, rad.
     pub trim_rad: f64,
-    /// GZ, m: positive if it turns the ship back.
+    /// GZ, m: positive if it rights the ship.
     pub arm_m: f64,
 }
 
-/// The top of a righting-arm curve.
+/// Maximum of a righting-arm curve.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LargestArm {
@@ -72,12 +75,12 @@ pub struct LargestArm {
 }
 
 impl Side {
-    /// The side of a heel, positive to starboard.
+    /// Returns the side of a heel, which is positive to starboard.
     pub(super) fn of(heel_to_starboard_rad: f64) -> Self {
         if heel_to_starboard_rad < 0.0 { Self::Port } else { Self::Starboard }
     }
 
-    /// The side in words.
+    /// Returns the name of the side.
     pub fn name(self) -> &'static str {
         match self {
             Self::Port => "port",
@@ -85,7 +88,7 @@ impl Side {
         }
     }
 
-    /// 1 to starboard, as heel counts.
+    /// Returns the sign of a heel to this side: 1 to starboard.
     fn sign(self) -> f64 {
         match self {
             Self::Port => -1.0,
@@ -95,7 +98,7 @@ impl Side {
 }
 
 impl RightingArmCurve {
-    /// For a hull that rests at this heel to starboard, rad.
+    /// Returns the curve of a hull that rests at this heel to starboard, rad.
     ///
     /// # Errors
     /// [`StabilityError`].
@@ -130,7 +133,7 @@ impl RightingArmCurve {
             degrees.map(|degrees| (degrees as f64).to_radians()).collect()
         };
         let mut points = at(&heels(0..=LAST_KEPT_DEG))?;
-        // If no trim is found at large heel, the curve still goes to 60 deg.
+        // The curve goes to 60 deg even if no trim is found at large heel.
         points.extend(at(&heels(LAST_KEPT_DEG + 1..=LAST_HEEL_DEG)).unwrap_or_default());
         let positive = |point: &RightingArmPoint| point.arm_m > NO_ARM_M;
         let before = if positive(&points[0]) { before_upright(&at)? } else { Vec::new() };
@@ -153,8 +156,8 @@ impl RightingArmCurve {
     }
 }
 
-/// The points at every degree of heel to the other side, from the first whose arm is not positive to the last before 0; none
-/// if there is no such point.
+/// Returns the points at every degree of heel to the other side, from the first point whose arm is not
+/// positive to the last one before 0; empty if there is no such point.
 fn before_upright(
     at: &impl Fn(&[f64]) -> Result<Vec<RightingArmPoint>, StabilityError>,
 ) -> Result<Vec<RightingArmPoint>, StabilityError> {
@@ -169,7 +172,7 @@ fn before_upright(
     Ok(Vec::new())
 }
 
-/// Where an arm passes through zero between two angles of heel, rad.
+/// Returns the heel, rad, at which an arm passes through zero between two points.
 fn zero(
     arm: &impl Fn(f64) -> Result<f64, StabilityError>,
     [mut from, mut to]: [f64; 2],
@@ -186,7 +189,8 @@ fn zero(
     Ok(0.5 * (from + to))
 }
 
-/// The top of the parabola through the largest and its two neighbours; at an end of the samples, the largest.
+/// Returns the maximum of the parabola through the largest point and its two neighbours; at an end of the
+/// samples, the largest point.
 fn largest(points: &[RightingArmPoint]) -> LargestArm {
     let arm = |i: usize| points[i].arm_m;
     let top = (1..points.len()).fold(0, |top, i| if arm(i) > arm(top) { i } else { top });

@@ -1,16 +1,16 @@
-//! Warnings of wave data for another loading, or with too few directions.
+//! Warnings of wave data that are for another loading, or have too few directions.
 
 use super::floating::LoadedHull;
 use crate::spatial::{Frame, SpatialInertia};
 
-/// A warning is given if the loading differs from that of the data's mean drift by more than this share.
+/// Largest difference of the loading from that of the data's mean drift without a warning, as a share.
 const LARGEST_CHANGE: f64 = 0.05;
-/// Share of the waves' energy that may be in waves too short for the data's directions.
+/// Largest share of the waves' energy in waves too short for the number of the data's directions.
 const MOST_UNRESOLVED: f64 = 0.1;
 
 impl LoadedHull<'_> {
-    /// Warnings of a drifting hull: mass, KG and radii of gyration of the ship with its cargo in its present position,
-    /// compared with those of the mean drift.
+    /// Returns warnings of a drifting hull: mass, KG and radii of gyration of the ship with its cargo in its
+    /// present position differ from those of the data's mean drift.
     pub(super) fn drift_warnings(&self, keel_to_gravity_m: f64) -> Vec<String> {
         let Some(of_data) = &self.database.mean_drift_loading else { return Vec::new() };
         let ([roll, pitch, yaw], data) = (self.radii_of_gyration(), of_data.radii_of_gyration_m);
@@ -33,7 +33,7 @@ impl LoadedHull<'_> {
         apart.map(warning).collect()
     }
 
-    /// Radii of gyration about the total centre of gravity, along the hull's axes, m.
+    /// Returns the radii of gyration about the total centre of gravity, along the hull's axes, m.
     fn radii_of_gyration(&self) -> [f64; 3] {
         let weight = self.carried_weight();
         let centre = Frame { rotation: self.frame().rotation, position: weight.centre }.inverse();
@@ -55,8 +55,8 @@ impl LoadedHull<'_> {
         sums.map(|moment| libm::sqrt(moment / weight.mass))
     }
 
-    /// With N directions on the circle a load has N / 2 harmonics; for a ship of half length R and a wave number k it
-    /// needs about k R of them.
+    /// Returns warnings of too few directions. N directions on the circle resolve N / 2 harmonics of a load;
+    /// a ship of half length R needs about k R harmonics at the wave number k.
     pub(super) fn direction_warnings(&self) -> Vec<String> {
         let Some(waves) = self.world.waves.as_ref().filter(|_| self.hull.excitation.is_some()) else {
             return Vec::new();

@@ -1,4 +1,4 @@
-//! One-step forward Euler, as the paper computes (its section "Computation").
+//! One-step forward Euler, as in the paper (section "Computation").
 
 use super::Tableau;
 

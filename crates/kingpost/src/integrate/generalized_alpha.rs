@@ -16,11 +16,13 @@ use crate::state::State;
 /// gamma = 1/2 + alpha_f - alpha_m,     beta = (gamma + 1/2)^2 / 4
 /// ```
 ///
-/// Order 2, stable at any step on linear oscillations. `rho` is the factor by which one step reduces oscillations much
-/// faster than the step: 1 is no damping, 0 removes them at once.
+/// Order 2, stable at any step on linear oscillations. `rho` is the factor by which one step reduces
+/// oscillations whose period is much shorter than the step: with 1 there is no damping, with 0 they vanish in
+/// one step.
 ///
-/// The state's memory holds the lag `(a - v') / h` of each velocity and extra state, which stays smooth when `v'`
-/// jumps, as at the edges of a motor's history, and when the step changes. Extra states follow the rule of v.
+/// The state's memory contains the lag `(a - v') / h` of each velocity and extra state. The lag stays smooth
+/// when `v'` jumps, for example at the edges of a motor's history, and when the step changes. Extra states
+/// follow the rule of v.
 #[derive(Clone, Debug)]
 pub struct GeneralizedAlpha<S = f64> {
     rule: Rule,
@@ -28,7 +30,7 @@ pub struct GeneralizedAlpha<S = f64> {
     rates: Vec<S>,
     /// Algorithmic rates at the start.
     a0: Vec<S>,
-    /// The part of the algorithmic rates at the end that does not depend on the end.
+    /// Part of the algorithmic rates at the end that does not depend on the state at the end.
     a1: Vec<S>,
     newton: Newton<S>,
 }
@@ -56,13 +58,14 @@ impl Rule {
 }
 
 impl<S: Scalar> GeneralizedAlpha<S> {
-    /// A scheme for arrays of these sizes.
+    /// Creates a scheme for arrays of these sizes.
     pub fn new(sizes: Sizes, rho_infinity: f64) -> Self {
         let [rates, a0, a1] = core::array::from_fn(|_| vec![S::ZERO; sizes.velocities + sizes.extras]);
         Self { rule: Rule::new(rho_infinity), rates, a0, a1, newton: Newton::new(sizes) }
     }
 
-    /// Numbers that the state's memory holds: the lags, then derivatives, kept from step to step.
+    /// Returns the number of entries in the state's memory: the lags, then the derivatives kept from step to
+    /// step.
     pub fn memory_len(&self) -> usize {
         self.rates.len() + self.newton.memory_len()
     }
@@ -105,7 +108,7 @@ impl<S: Scalar> GeneralizedAlpha<S> {
         Ok(())
     }
 
-    /// Rates and algorithmic rates at the start, and the known part of those at the end.
+    /// Computes rates and algorithmic rates at the start, and the known part of those at the end.
     fn begin<Y: System<S>>(&mut self, system: &mut Y, interval: Interval, state: &State<S>) {
         let (rule, h) = (self.rule, interval.end_s - interval.start_s);
         let State { q, v, s, d, m, memory, .. } = state;
@@ -118,7 +121,7 @@ impl<S: Scalar> GeneralizedAlpha<S> {
         accumulate(&mut self.a1, -rule.alpha_m / (1.0 - rule.alpha_m), &self.a0);
     }
 
-    /// Extra states by the rule of v, and the lags for the next step.
+    /// Updates the extra states by the rule of v, and the lags for the next step.
     fn end(&mut self, h: f64, state: &mut State<S>) {
         let (rule, n) = (self.rule, state.v.len());
         accumulate(&mut self.a1[..n], rule.slope(), &self.newton.v_dot);

@@ -5,7 +5,7 @@ use super::{Interval, Sizes, StepError, System, accumulate};
 use crate::scalar::Scalar;
 use crate::state::State;
 
-/// With `vm = (v0 + v1) / 2`, `sm = (s0 + s1) / 2` and the position half way,
+/// With `vm = (v0 + v1) / 2`, `sm = (s0 + s1) / 2` and the position at the middle of the step,
 ///
 /// ```text
 /// qm = q0 retracted by 1/2 xi,   q1 = q0 retracted by xi
@@ -23,12 +23,12 @@ pub struct ImplicitMidpoint<S = f64> {
 }
 
 impl<S: Scalar> ImplicitMidpoint<S> {
-    /// A scheme for arrays of these sizes.
+    /// Creates a scheme for arrays of these sizes.
     pub fn new(sizes: Sizes) -> Self {
         Self { newton: Newton::new(sizes) }
     }
 
-    /// Numbers that the state's memory holds: derivatives, kept from step to step.
+    /// Returns the number of entries in the state's memory: derivatives, kept from step to step.
     pub fn memory_len(&self) -> usize {
         self.newton.memory_len()
     }

@@ -3,24 +3,24 @@
 use super::{Sizes, Stage, System, largest};
 use crate::scalar::Scalar;
 
-/// Displacement (rad, m) and change of rate (rad/s, m/s) of forward differences, times one plus the magnitude of the
-/// changed number: the square root of the rounding unit, where the error is smallest (Nocedal & Wright, *Numerical
-/// Optimization*, 2nd ed., 2006, section 8.1).
+/// Relative change of a number in a forward difference, for displacements (rad, m) and rates (rad/s, m/s); it
+/// is multiplied by one plus the number's magnitude. The square root of the rounding unit, where the error is
+/// smallest (Nocedal & Wright, *Numerical Optimization*, 2nd ed., 2006, section 8.1).
 const DIFFERENCE: f64 = 1.5e-8;
 
-/// Derivatives of the rates r: v', then the active s'. Each matrix is stored by columns, entry (i, j) at `j * rows +
-/// i`; with the working memory for differences.
+/// Derivatives of the rates r, which are v', then the active s', and working memory for differences. Each
+/// matrix is stored by columns, entry (i, j) at `j * rows + i`.
 #[derive(Clone, Debug)]
 pub struct Jacobian<S = f64> {
-    /// Rows of each matrix: entries of v, and active entries of s.
+    /// Number of rows of each matrix: entries of v, and active entries of s.
     pub rows: usize,
-    /// Entries of s that come before the active ones.
+    /// Number of entries of s before the active ones.
     pub passive: usize,
     /// dr/d(xi).
     pub by_xi: Vec<S>,
     /// dr/d(v).
     pub by_v: Vec<S>,
-    /// dr/d(s), of the active s.
+    /// dr/d(s), for the active s.
     pub by_s: Vec<S>,
     xi: Vec<S>,
     q: Vec<S>,
@@ -41,14 +41,14 @@ impl<S: Scalar> Rates<S> {
         Self { v_dot: vec![S::ZERO; sizes.velocities], s_dot: vec![S::ZERO; sizes.extras] }
     }
 
-    /// The rates that are rows of a Jacobian.
+    /// Returns the rates that are rows of a Jacobian.
     fn rows(&self, passive: usize) -> impl Iterator<Item = S> {
         self.v_dot.iter().chain(&self.s_dot[passive..]).copied()
     }
 }
 
 impl<S: Scalar> Jacobian<S> {
-    /// Room for a system of these sizes.
+    /// Allocates the Jacobian of a system with these sizes.
     pub fn new(sizes: Sizes) -> Self {
         let (n, active) = (sizes.velocities, sizes.active());
         let rows = n + active;
@@ -59,22 +59,22 @@ impl<S: Scalar> Jacobian<S> {
         Self { rows, passive: sizes.passive, by_xi, by_v, by_s, xi, q, v, s, here, moved }
     }
 
-    /// Returns room for the Jacobian of v' only, with respect to xi and v.
+    /// Allocates the Jacobian of v' only, with respect to xi and v.
     pub fn of_motion(sizes: Sizes) -> Self {
         Self::new(Sizes { passive: sizes.extras, ..sizes })
     }
 
-    /// All of it, one after another.
+    /// Returns all matrices, one after another.
     pub(super) fn parts(&self) -> [&[S]; 3] {
         [&self.by_xi, &self.by_v, &self.by_s]
     }
 
-    /// Returns all of it for changes, one after another.
+    /// Returns all matrices for changes, one after another.
     pub(super) fn parts_mut(&mut self) -> [&mut [S]; 3] {
         [&mut self.by_xi, &mut self.by_v, &mut self.by_s]
     }
 
-    /// All three by forward differences, to about eight digits; see [`System::jacobian`].
+    /// Computes all three matrices by forward differences, to about eight digits; see [`System::jacobian`].
     pub fn by_differences<Y: System<S>>(&mut self, system: &mut Y, base: &[S], xi: &[S], at: Stage<'_, S>) {
         system.rates(at, &mut self.here.v_dot, &mut self.here.s_dot);
         self.xi.copy_from_slice(xi);
@@ -106,7 +106,7 @@ impl<S: Scalar> Jacobian<S> {
     }
 }
 
-/// A change that can be added to a number without rounding.
+/// Returns a change that can be added to a number without rounding.
 fn step_from<S: Scalar>(x: S) -> S {
     let step = S::constant(DIFFERENCE * (1.0 + largest(&[x])));
     (x + step) - x

@@ -7,7 +7,7 @@ use crate::scalar::Scalar;
 #[derive(Clone, Debug)]
 pub(super) struct Factors<S> {
     size: usize,
-    /// A by columns; after [`Factors::factor`] L below the diagonal and U from it upwards.
+    /// A by columns; after [`Factors::factor`], L below the diagonal, and U on and above it.
     pub(super) entries: Vec<S>,
     pivots: Vec<usize>,
 }
@@ -17,8 +17,8 @@ impl<S: Scalar> Factors<S> {
         Self { size, entries: vec![S::ZERO; size * size], pivots: vec![0; size] }
     }
 
-    /// Replaces A by its factors. A singular A gives solutions that are not finite. All lanes take
-    /// the pivots of the first.
+    /// Replaces A by its factors. If A is singular, solutions are not finite. All lanes use the pivots of the
+    /// first lane.
     pub(super) fn factor(&mut self) {
         let n = self.size;
         for k in 0..n {
@@ -78,12 +78,12 @@ mod tests {
         factors.factor();
         let mut b: Vec<f64> = rows.iter().map(|row| row.iter().zip(&x).map(|(a, x)| a * x).sum()).collect();
         factors.solve(&mut b);
-        // Three unknowns, entries of order one: some units in the last place.
+        // Three unknowns, entries of order one: an error of a few units in the last place.
         assert!(b.iter().zip(&x).all(|(b, x)| (b - x).abs() < 1e-14), "{b:?}");
     }
 
     #[test]
-    fn a_singular_system_gives_what_is_not_finite() {
+    fn a_singular_system_gives_a_solution_that_is_not_finite() {
         let mut factors = Factors::new(2);
         factors.entries = vec![1.0, 2.0, 2.0, 4.0];
         factors.factor();

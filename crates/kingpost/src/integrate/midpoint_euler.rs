@@ -1,12 +1,12 @@
-//! Forward Euler with the midpoint rate in Rodrigues' formula: the improvement of the rotation update that the paper
+//! Forward Euler with the midpoint rate in Rodrigues' formula: the improved rotation update that the paper
 //! proposes.
 
 use super::{Interval, Sizes, Stage, System, accumulate};
 use crate::scalar::Scalar;
 use crate::state::State;
 
-/// `v1 = v0 + h v0'`, joints `q1 = q0 + h v0`, ship
-/// `R1 = R0 exp(h hat((omega0 + omega1) / 2))`. Order 1, with a smaller error on the rotation.
+/// `v1 = v0 + h v0'`, joints `q1 = q0 + h v0`, ship `R1 = R0 exp(h hat((omega0 + omega1) / 2))`. Order 1,
+/// with a smaller error of the rotation.
 #[derive(Clone, Debug)]
 pub struct MidpointEuler<S = f64> {
     v_dot: Vec<S>,
@@ -17,7 +17,7 @@ pub struct MidpointEuler<S = f64> {
 }
 
 impl<S: Scalar> MidpointEuler<S> {
-    /// A scheme for arrays of these sizes.
+    /// Creates a scheme for arrays of these sizes.
     pub fn new(sizes: Sizes) -> Self {
         let velocities = || vec![S::ZERO; sizes.velocities];
         Self {

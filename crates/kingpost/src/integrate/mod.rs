@@ -1,10 +1,10 @@
-//! Time stepping on the Lie group, one file a scheme.
+//! Time stepping on the Lie group, with one file for each scheme.
 //!
-//! A scheme sees a [`System`] through vector-space local coordinates: positions move by `retract`,
-//! and `dexp_inverse` turns a velocity into the rate of the local coordinates (Munthe-Kaas 1998).
-//! So every scheme is written once and keeps its order on the rotation too. The implicit schemes
-//! share one Newton iteration, whose derivatives the system gives ([`System::jacobian`]). A new
-//! scheme is one new file and one arm in each `match` of [`Scheme`].
+//! A scheme uses a [`System`] in local coordinates, which form a vector space: positions move by `retract`,
+//! and `dexp_inverse` turns a velocity into the rate of the local coordinates (Munthe-Kaas 1998). So every
+//! scheme is written once and has its order also for rotations. The implicit schemes share one Newton
+//! iteration, with derivatives from the system ([`System::jacobian`]). A new scheme needs one new file and
+//! one arm in each `match` of [`Scheme`].
 
 mod dormand_prince;
 mod error;
@@ -39,20 +39,20 @@ use core::cell::Cell;
 /// An interval of time over which no law changes its form, s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
-    /// Begin, s.
+    /// Start, s.
     pub start_s: f64,
     /// End, s.
     pub end_s: f64,
 }
 
 impl Interval {
-    /// Its middle, s.
+    /// Returns the middle of the interval, s.
     pub fn middle_s(self) -> f64 {
         0.5 * (self.start_s + self.end_s)
     }
 }
 
-/// Sizes of the arrays that a scheme works on.
+/// Sizes of the arrays of a scheme.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sizes {
     /// Length of q.
@@ -61,35 +61,36 @@ pub struct Sizes {
     pub velocities: usize,
     /// Length of s.
     pub extras: usize,
-    /// Number of the first entries of s, on which no rate depends: integrals that are carried along.
+    /// Number of passive entries at the start of s: no rate depends on these integrals.
     pub passive: usize,
 }
 
 impl Sizes {
-    /// Number of the last entries of s, on which rates depend.
+    /// Returns the number of active entries at the end of s: rates depend on them.
     pub fn active(self) -> usize {
         self.extras - self.passive
     }
 }
 
-/// The system that a scheme integrates: `q' = v` on the group, `v' = f`, `s' = g`. Time is a plain number: all lanes,
-/// and a number and its derivatives, step together.
+/// The system that a scheme integrates: `q' = v` on the group, `v' = f`, `s' = g`. Time is a plain number:
+/// all lanes, and a number and its derivatives, have the same steps.
 pub trait System<S: Scalar = f64> {
     /// Lengths of the arrays.
     fn sizes(&self) -> Sizes;
 
-    /// Writes v' and s' at a time of the interval; `state` holds the discrete states, and q, v, s
-    /// are the stage's.
+    /// Writes v' and s' at a time of the interval; `state` contains the discrete states, and q, v, s are
+    /// those of the stage.
     fn rates(&mut self, at: Stage<'_, S>, v_dot: &mut [S], s_dot: &mut [S]);
 
-    /// Marks the evaluations since the last call as part of the step, whatever trials follow.
+    /// Marks the evaluations since the last call as part of the step; later trials do not change this.
     fn accept(&mut self) {}
 
-    /// Marks the evaluations since then as a rejected trial.
+    /// Marks the evaluations since the last call of [`accept`](Self::accept) or of this function as a
+    /// rejected trial.
     fn reject(&mut self) {}
 
-    /// Projects q and v back onto the constraints; returns whether there are any. The same q and v, under loads that do
-    /// not change the inertia, give the same bits.
+    /// Projects q and v onto the constraints; returns whether there are any. Under loads that do not change
+    /// the inertia, equal q and v give bitwise identical results.
     fn close(&mut self, _q: &mut [S], _v: &mut [S]) -> bool {
         false
     }
@@ -97,24 +98,25 @@ pub trait System<S: Scalar = f64> {
     /// `out = q` moved by the local coordinates `xi`.
     fn retract(&self, q: &[S], xi: &[S], out: &mut [S]);
 
-    /// `out = xi'` that the velocity `v` gives at `xi`.
+    /// Computes `out = xi'`, the rate of the local coordinates at `xi` for the velocity `v`.
     fn dexp_inverse(&self, xi: &[S], v: &[S], out: &mut [S]);
 
-    /// Whether a coordinate of v is a body rate of a rotation in space. Such coordinates come in
-    /// threes: x, y, z of one rotation, one after another.
+    /// Returns whether a coordinate of v is a body rate of a rotation in space. Such coordinates are in
+    /// groups of three: x, y, z of one rotation.
     fn is_rotation_rate(&self, coordinate: usize) -> bool;
 
-    /// Whether the acceleration of a coordinate follows from the state. It does not if the coordinate is held or
-    /// prescribed over time.
+    /// Returns whether the acceleration of a coordinate follows from the state: not if the coordinate is held
+    /// or prescribed over time.
     fn is_free(&self, _coordinate: usize) -> bool {
         true
     }
 
-    /// Writes the derivatives of v' and of the active s' by xi, v and the active s at a stage with `q = retract(base,
-    /// xi)`, its time and its d. The columns of coordinates that are not free may stay zero.
+    /// Writes the derivatives of v' and of the active s' with respect to xi, v and the active s, at a stage
+    /// with `q = retract(base, xi)`, its time and its d. The columns of coordinates that are not free can be
+    /// zero.
     ///
-    /// This default takes differences, which cost one evaluation per column; a system that can carry derivatives
-    /// through its equations gives exact columns instead.
+    /// This default uses differences, which cost one evaluation per column; a system whose equations can
+    /// carry derivatives returns exact columns instead.
     fn jacobian(&mut self, base: &[S], xi: &[S], at: Stage<'_, S>, out: &mut Jacobian<S>)
     where
         Self: Sized,
@@ -123,12 +125,12 @@ pub trait System<S: Scalar = f64> {
     }
 }
 
-/// The point at which the right-hand side is evaluated.
+/// Point at which the right-hand side is evaluated.
 #[derive(Clone, Copy, Debug)]
 pub struct Stage<'a, S = f64> {
     /// Time, s.
     pub time_s: f64,
-    /// The interval being stepped.
+    /// Interval of the present step.
     pub interval: Interval,
     /// Positions.
     pub q: &'a [S],
@@ -150,7 +152,7 @@ fn accumulate<S: Scalar>(sum: &mut [S], k: f64, b: &[S]) {
     }
 }
 
-/// The largest absolute value of an entry, over all lanes; NaN if an entry is NaN.
+/// Returns the largest absolute value of an entry, over all lanes; NaN if an entry is NaN.
 fn largest<S: Scalar>(values: &[S]) -> f64 {
     let largest = Cell::new(0.0_f64);
     let keep = |x: f64| {

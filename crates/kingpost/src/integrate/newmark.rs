@@ -13,10 +13,9 @@ use crate::state::State;
 /// v1 = v0 + h ((1 - gamma) a0 + gamma a1)
 /// ```
 ///
-/// The predictor is `a1 = a0`, Newton's method corrects it. Order 2 for gamma = 1/2, else 1; stable
-/// at any step on linear oscillations for `2 beta >= gamma >= 1/2` (Hughes, *The Finite Element
-/// Method*, 1987, section 9.1). beta = 1/4 and gamma = 1/2 have no numerical damping. Extra
-/// states take the rule of v.
+/// The predictor is `a1 = a0`; Newton's method corrects it. Order 2 for gamma = 1/2, otherwise 1; stable at
+/// any step on linear oscillations for `2 beta >= gamma >= 1/2` (Hughes, *The Finite Element Method*, 1987,
+/// section 9.1). beta = 1/4 and gamma = 1/2 have no numerical damping. Extra states follow the rule of v.
 #[derive(Clone, Debug)]
 pub struct Newmark<S = f64> {
     beta: f64,
@@ -27,13 +26,13 @@ pub struct Newmark<S = f64> {
 }
 
 impl<S: Scalar> Newmark<S> {
-    /// A scheme for arrays of these sizes.
+    /// Creates a scheme for arrays of these sizes.
     pub fn new(sizes: Sizes, beta: f64, gamma: f64) -> Self {
         let (a0, s_dot0) = (vec![S::ZERO; sizes.velocities], vec![S::ZERO; sizes.extras]);
         Self { beta, gamma, a0, s_dot0, newton: Newton::new(sizes) }
     }
 
-    /// Numbers that the state's memory holds: derivatives, kept from step to step.
+    /// Returns the number of entries in the state's memory: derivatives, kept from step to step.
     pub fn memory_len(&self) -> usize {
         self.newton.memory_len()
     }

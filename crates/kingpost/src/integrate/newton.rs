@@ -1,4 +1,4 @@
-//! Newton's method for the rates of an implicit stage, which depends on those rates.
+//! Newton's method for the rates of an implicit stage, where the stage depends on these rates.
 
 use super::linear::Factors;
 use super::{Interval, Jacobian, Sizes, Stage, StepError, System, accumulate, largest};
@@ -9,30 +9,30 @@ use core::ops::Range;
 /// Largest number of iterations of a step.
 const MOST_ITERATIONS: usize = 50;
 
-/// Largest relative change of the rates in the last iteration of a solution.
+/// Largest relative change of the rates in the last iteration of a valid solution.
 const ALLOWED: f64 = 1e-9;
 
-/// Relative changes below this are near rounding.
+/// Relative change of the rates that is near rounding.
 const SMALL: f64 = 1e-12;
 
-/// The iteration ends if the next relative change is expected to be below this: rounding.
+/// Largest expected next relative change at which the iteration ends: rounding.
 const ROUNDING: f64 = 1e-16;
 
-/// A change larger than this share of the previous one calls for new derivatives.
+/// Largest ratio of a change to the previous one without new derivatives.
 const SLOW: f64 = 0.25;
 
-/// The magnitude of the rates includes this share of the positions over the step, so that a system at rest, whose rates
-/// are rounding, converges too.
+/// Share of the positions over the step that is added to the magnitude of the rates, so that the iteration
+/// also converges for a system at rest, whose rates are rounding errors.
 const REST: f64 = 1e-3;
 
-/// Added to the magnitude of s, so that extra states at zero converge too.
+/// Smallest magnitude of s, so that the iteration also converges for extra states at zero.
 const SMALLEST_EXTRA: f64 = 1e-9;
 
-/// Numbers of the memory before the derivatives: whether there are any, the iterations with new ones, and the
-/// additional ones since.
+/// Number of entries in the memory before the derivatives: whether there are derivatives, number of
+/// iterations with new ones, and number of additional iterations since.
 const HEAD: usize = 3;
 
-/// How local coordinates move a rotation.
+/// Map from local coordinates to a rotation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum RotationBy {
     /// The exponential: `xi` is the rotation vector.
@@ -48,32 +48,32 @@ pub(super) enum RotationBy {
 pub(super) struct ImplicitStage {
     pub(super) time_s: f64,
     pub(super) interval: Interval,
-    /// s^2.
+    /// Derivative of `xi` with respect to the rates, s^2.
     pub(super) xi_slope: f64,
-    /// s.
+    /// Derivative of v and s with respect to the rates, s.
     pub(super) slope: f64,
     pub(super) rotation: RotationBy,
 }
 
-/// The unknown stage, with the working memory.
+/// Unknown stage of the iteration, with working memory.
 #[derive(Clone, Debug)]
 pub(super) struct Newton<S> {
-    /// Given: the constant parts of xi, v and s.
+    /// Given: constant parts of xi, v and s.
     pub(super) xi_start: Vec<S>,
     pub(super) v_start: Vec<S>,
     pub(super) s_start: Vec<S>,
-    /// A guess, then the solution.
+    /// Initial guess, then the solution.
     pub(super) v_dot: Vec<S>,
     pub(super) s_dot: Vec<S>,
-    /// Found: the stage.
+    /// Result: the stage.
     pub(super) xi: Vec<S>,
     pub(super) q: Vec<S>,
     pub(super) v: Vec<S>,
     s: Vec<S>,
     /// `xi` before the Cayley transform.
     linear: Vec<S>,
-    /// Rates at the stage, and their difference from the unknown rates: s first, whose equations are of order one
-    /// whatever its unit.
+    /// Rates at the stage, and their difference from the unknown rates: s first, whose equations are of order
+    /// one in any unit.
     v_dot_here: Vec<S>,
     s_dot_here: Vec<S>,
     change: Vec<S>,
@@ -84,13 +84,13 @@ pub(super) struct Newton<S> {
     kept: KeptDerivatives,
 }
 
-/// Information on derivatives from an earlier step.
+/// Data about derivatives from an earlier step.
 #[derive(Clone, Copy, Debug, Default)]
 struct KeptDerivatives {
     known: bool,
-    /// Number of iterations in the step in which they were new.
+    /// Number of iterations in the step in which the derivatives were computed.
     least: usize,
-    /// Number of additional iterations in the steps since.
+    /// Number of additional iterations in the steps since then.
     beyond: usize,
 }
 
@@ -121,7 +121,7 @@ impl<S: Scalar> Newton<S> {
         }
     }
 
-    /// Numbers that the state's memory holds.
+    /// Returns the number of entries in the state's memory.
     pub(super) fn memory_len(&self) -> usize {
         HEAD + self.jacobian.parts().iter().map(|part| part.len()).sum::<usize>()
     }
@@ -138,7 +138,7 @@ impl<S: Scalar> Newton<S> {
         }
     }
 
-    /// Writes them to the state's memory.
+    /// Writes the derivatives to the state's memory.
     pub(super) fn keep(&self, memory: &mut [S]) {
         let KeptDerivatives { known, least, beyond } = self.kept;
         let (head, mut derivatives) = memory.split_at_mut(HEAD);
@@ -150,13 +150,13 @@ impl<S: Scalar> Newton<S> {
         }
     }
 
-    /// Solves `r = f(retract(q0, xi(r)), v(r), s(r))` for the rates `r = (v', s')` from the guess in `v_dot` and
-    /// `s_dot`: the change `d` of an iteration solves `(1 - xi_slope df/dxi - slope df/d(v, s)) d = f - r`, and it ends
-    /// when the next change would be rounding.
+    /// Solves `r = f(retract(q0, xi(r)), v(r), s(r))` for the rates `r = (v', s')` from the guess in `v_dot`
+    /// and `s_dot`: the change `d` in an iteration solves `(1 - xi_slope df/dxi - slope df/d(v, s)) d = f -
+    /// r`, and it ends when the next change would be rounding.
     ///
-    /// Derivatives are kept from step to step. New ones cost one evaluation per column. They are taken when the
-    /// additional iterations with the old ones have cost as much, or when an iteration with the old ones is slow, which
-    /// then restarts.
+    /// Derivatives are kept from step to step. New ones cost one evaluation per column. They are computed
+    /// when the additional iterations with the old ones have cost as much, or when an iteration with the old
+    /// ones is slow; that iteration then restarts.
     pub(super) fn solve<Y: System<S>>(
         &mut self,
         system: &mut Y,
@@ -181,8 +181,8 @@ impl<S: Scalar> Newton<S> {
         Ok(())
     }
 
-    /// Iterates to the solution. With `renew` derivatives are taken in the first iteration and again if it is slow;
-    /// without it, slow convergence is an error.
+    /// Iterates to the solution. With `renew`, derivatives are computed in the first iteration, and again if
+    /// the iteration is slow; without it, slow convergence is an error.
     fn iterate<Y: System<S>>(
         &mut self,
         system: &mut Y,
@@ -225,8 +225,9 @@ impl<S: Scalar> Newton<S> {
         Err(not_converged(place, residual, MOST_ITERATIONS))
     }
 
-    /// The stage of the initial guess. The iteration then adds the changes to it. Computed anew from the accelerations,
-    /// it would have their rounding error times the step squared, which in a stiff system is far larger.
+    /// Computes the stage of the initial guess. The iteration then adds the changes to this stage. A stage
+    /// recomputed from the accelerations would have their rounding error times the step squared, which is far
+    /// larger in a stiff system.
     fn begin(&mut self, place: ImplicitStage) {
         self.v.copy_from_slice(&self.v_start);
         accumulate(&mut self.v, place.slope, &self.v_dot);
@@ -247,12 +248,12 @@ impl<S: Scalar> Newton<S> {
         accumulate(&mut self.linear, place.xi_slope, of_v);
     }
 
-    /// The entries of s whose rates are unknown.
+    /// Returns the indices of the entries of s whose rates are unknown.
     fn active(&self) -> Range<usize> {
         self.jacobian.passive..self.s.len()
     }
 
-    /// The positions of the stage.
+    /// Computes the positions of the stage.
     fn put<Y: System<S>>(&mut self, system: &Y, state: &State<S>, place: ImplicitStage) {
         self.xi.copy_from_slice(&self.linear);
         if place.rotation == RotationBy::HalfCayley {
@@ -267,14 +268,15 @@ impl<S: Scalar> Newton<S> {
         system.jacobian(&state.q, xi, at, jacobian);
     }
 
-    /// The factors of the derivatives. The derivative of the Cayley transform is taken as the identity: it differs by
-    /// the square of a step's angle, and derivatives affect only the speed of convergence.
+    /// Factors the derivatives. The derivative of the Cayley transform is replaced by the identity: the
+    /// difference is of the order of the squared angle of a step, and derivatives affect only the speed of
+    /// convergence.
     fn factor(&mut self, place: ImplicitStage) {
         let Self { jacobian, factors, v_dot, .. } = self;
         let (xi_slope, slope) = (S::constant(place.xi_slope), S::constant(place.slope));
         let (rows, n) = (jacobian.rows, v_dot.len());
         let active = rows - n;
-        // Index of a row of the derivatives, v' first, among the unknowns, s' first.
+        // Index among the unknowns, where s' is first, of a row of the derivatives, where v' is first.
         let unknown = |row: usize| if row < n { row + active } else { row - n };
         for column in 0..rows {
             let to = &mut factors.entries[unknown(column) * rows..][..rows];
@@ -304,7 +306,7 @@ impl<S: Scalar> Newton<S> {
         }
     }
 
-    /// The last relative change of the rates: of v', or of s' if that is larger.
+    /// Returns the last relative change of the rates: of v', or of s' if that is larger.
     fn residual(&self, place: ImplicitStage) -> f64 {
         let step_s = place.interval.end_s - place.interval.start_s;
         let (of_s, of_v) = self.change.split_at(self.active().len());
@@ -322,7 +324,8 @@ fn not_converged(place: ImplicitStage, residual: f64, iterations: usize) -> Step
     StepError::NotConverged { time_s: place.interval.end_s, residual, allowed: ALLOWED, iterations }
 }
 
-/// Half of the rotation of the Cayley transform of twice `xi`: `atan |xi|` about `xi`; for small angles its series.
+/// Returns half of the rotation vector of the Cayley transform of twice `xi`: `atan |xi|` about `xi`; for
+/// small angles its series.
 fn half_cayley<S: Scalar, Y: System<S>>(system: &Y, xi: &mut [S]) {
     let mut i = 0;
     while i < xi.len() {
@@ -339,7 +342,7 @@ fn half_cayley<S: Scalar, Y: System<S>>(system: &Y, xi: &mut [S]) {
             let length = square.sqrt();
             length.atan2(S::ONE) / length
         };
-        // Where the series' first term left out is below rounding.
+        // Below this angle the first omitted term of the series is below rounding.
         let factor = square.select_below(1e-4, series, closed);
         xi[i..i + 3].iter_mut().for_each(|x| *x = *x * factor);
         i += 3;

@@ -22,21 +22,21 @@ pub static RUNGE_KUTTA_4: Tableau = Tableau {
     c: &[0.0, 0.5, 0.5, 1.0],
 };
 
-/// The stages of a step: their rates, and the point that weighted rates lead to.
+/// Stages of a step: their rates, and the point at which a weighted sum of rates ends.
 #[derive(Clone, Debug)]
 pub(super) struct Stages<S> {
     pub(super) tableau: &'static Tableau,
-    /// By stage: the rates of the local coordinates, of v and of s.
+    /// Rates of the local coordinates, of v and of s, by stage.
     pub(super) rates: Vec<Triple<S>>,
-    /// Local coordinates about the step's base, v and s at that point.
+    /// Local coordinates relative to the base of the step, v and s at this point.
     pub(super) place: Triple<S>,
-    /// q there.
+    /// q at this point.
     pub(super) q: Vec<S>,
-    /// Zero, v and s at the base.
+    /// Zero local coordinates, v and s at the base.
     base: Triple<S>,
 }
 
-/// Numbers that belong to the local coordinates, to v and to s, in one array of blocks of four, which are summed at once.
+/// Values for the local coordinates, v and s in one array of blocks of four, which are summed together.
 #[derive(Clone, Debug)]
 pub(super) struct Triple<S> {
     blocks: Vec<[S; 4]>,
@@ -50,17 +50,17 @@ impl<S: Scalar> Triple<S> {
         Self { blocks, velocities, extras }
     }
 
-    /// Takes the numbers of another, of the same sizes.
+    /// Copies the values of another triple of the same sizes.
     pub(super) fn copy_from(&mut self, other: &Self) {
         self.blocks.copy_from_slice(&other.blocks);
     }
 
-    /// All numbers.
+    /// Returns all values for changes.
     pub(super) fn all_mut(&mut self) -> &mut [S] {
         &mut self.blocks.as_flattened_mut()[..2 * self.velocities + self.extras]
     }
 
-    /// The parts of the local coordinates, of v and of s.
+    /// Returns the parts of the local coordinates, of v and of s.
     #[inline]
     pub(super) fn parts(&self) -> [&[S]; 3] {
         let (xi, rest) = self.blocks.as_flattened().split_at(self.velocities);
@@ -84,21 +84,21 @@ impl<S: Scalar> Stages<S> {
         Self { tableau, rates, place: triple(), q: vec![S::ZERO; sizes.positions], base: triple() }
     }
 
-    /// Rates of the first stage, which is at the base of the step.
+    /// Computes the rates of the first stage, which is at the base of the step.
     pub(super) fn begin<Y: System<S>>(&mut self, system: &mut Y, base: Stage<'_, S>) {
         let [xi, v, s] = self.rates[0].parts_mut();
         system.rates(base, v, s);
         xi.copy_from_slice(base.v);
     }
 
-    /// Takes v and s of the step's base for the later stages.
+    /// Stores v and s of the step's base for the later stages.
     pub(super) fn stand_on(&mut self, base: Stage<'_, S>) {
         let [_, v, s] = self.base.parts_mut();
         v.copy_from_slice(base.v);
         s.copy_from_slice(base.s);
     }
 
-    /// Rates of the later stages of a step from `base` over its interval.
+    /// Computes the rates of the later stages of a step from `base` over its interval.
     pub(super) fn go_on<Y: System<S>>(&mut self, system: &mut Y, base: Stage<'_, S>) {
         let Interval { start_s, end_s } = base.interval;
         for (stage, weights) in (1..).zip(self.tableau.a) {
@@ -114,7 +114,7 @@ impl<S: Scalar> Stages<S> {
         }
     }
 
-    /// q, v, s at the base, whose q is given, plus h times the weighted rates.
+    /// Computes q, v, s: the base, whose q is given, plus h times the weighted rates.
     pub(super) fn combine<Y: System<S>>(&mut self, weights: &[f64], h: f64, system: &Y, q: &[S]) {
         match *weights {
             [a] => self.sum(h, [(a, 0)]),
@@ -126,7 +126,7 @@ impl<S: Scalar> Stages<S> {
         system.retract(q, self.place.parts()[0], &mut self.q);
     }
 
-    /// The point that a few weighted stages lead to.
+    /// Computes the point at which a few weighted stages end.
     #[inline]
     fn sum<const K: usize>(&mut self, h: f64, terms: [(f64, usize); K]) {
         let (mut weights, mut rates): ([S; K], [&[S]; K]) = ([S::ZERO; K], [&[]; K]);
@@ -136,7 +136,7 @@ impl<S: Scalar> Stages<S> {
         weigh(self.place.blocks.as_flattened_mut(), self.base.blocks.as_flattened(), weights, rates);
     }
 
-    /// Computes the point that any number of weighted stages lead to, stage by stage.
+    /// Computes the point at which any number of weighted stages end, stage by stage.
     fn sum_of_many(&mut self, weights: &[f64], h: f64) {
         let place = self.place.blocks.as_flattened_mut();
         place.copy_from_slice(self.base.blocks.as_flattened());
@@ -145,7 +145,7 @@ impl<S: Scalar> Stages<S> {
         }
     }
 
-    /// Writes q, v and s at that point.
+    /// Writes q, v and s of this point.
     pub(super) fn hand_out(&self, q: &mut [S], v: &mut [S], s: &mut [S]) {
         let [_, v_here, s_here] = self.place.parts();
         q.copy_from_slice(&self.q);
@@ -178,12 +178,12 @@ pub struct ExplicitRungeKutta<S = f64> {
 }
 
 impl<S: Scalar> ExplicitRungeKutta<S> {
-    /// A scheme for arrays of these sizes.
+    /// Creates a scheme for arrays of these sizes.
     pub fn new(tableau: &'static Tableau, sizes: Sizes) -> Self {
         Self { stages: Stages::new(tableau, sizes) }
     }
 
-    /// Moves the state over the interval. Extra states take the weights of v.
+    /// Moves the state over the interval. Extra states have the weights of v.
     pub fn step<Y: System<S>>(&mut self, system: &mut Y, interval: Interval, state: &mut State<S>) {
         let stages = &mut self.stages;
         let State { q, v, s, d, m, .. } = &*state;

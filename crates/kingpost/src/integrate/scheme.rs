@@ -1,4 +1,4 @@
-//! The schemes by name.
+//! Integration schemes by name.
 
 use super::{
     DormandPrince, ExplicitRungeKutta, FORWARD_EULER, GeneralizedAlpha, ImplicitMidpoint, Interval, MidpointEuler,
@@ -7,16 +7,16 @@ use super::{
 use crate::scalar::Scalar;
 use crate::state::State;
 
-/// The schemes.
+/// An integration scheme.
 #[derive(Clone, Debug)]
 pub enum Scheme<S = f64> {
     /// Explicit Runge-Kutta in Munthe-Kaas' form: forward Euler and RK4.
     RungeKutta(ExplicitRungeKutta<S>),
     /// Forward Euler with the mean rate in the rotation.
     MidpointEuler(MidpointEuler<S>),
-    /// Velocities first, then positions.
+    /// Semi-implicit Euler: velocities first, then positions.
     SemiImplicitEuler(SemiImplicitEuler<S>),
-    /// Order 5 with error control.
+    /// Dormand-Prince: order 5 with error control.
     DormandPrince(DormandPrince<S>),
     /// Newmark's method.
     Newmark(Newmark<S>),
@@ -27,27 +27,28 @@ pub enum Scheme<S = f64> {
 }
 
 impl<S: Scalar> Scheme<S> {
-    /// The paper's scheme: start-of-step rates everywhere, Rodrigues' formula for the rotation.
+    /// Returns the paper's scheme: rates at the start of the step everywhere, Rodrigues' formula for the
+    /// rotation.
     pub fn forward_euler(sizes: Sizes) -> Self {
         Self::RungeKutta(ExplicitRungeKutta::new(&FORWARD_EULER, sizes))
     }
 
-    /// Forward Euler whose rotation takes the mean of the old and the new angular velocity.
+    /// Returns forward Euler with the mean of the old and the new angular velocity for the rotation.
     pub fn midpoint_euler(sizes: Sizes) -> Self {
         Self::MidpointEuler(MidpointEuler::new(sizes))
     }
 
-    /// Semi-implicit Euler: see [`SemiImplicitEuler`].
+    /// Returns semi-implicit Euler: see [`SemiImplicitEuler`].
     pub fn semi_implicit_euler(sizes: Sizes) -> Self {
         Self::SemiImplicitEuler(SemiImplicitEuler::new(sizes))
     }
 
-    /// The classical scheme of order 4.
+    /// Returns the classical scheme of order 4.
     pub fn runge_kutta_4(sizes: Sizes) -> Self {
         Self::RungeKutta(ExplicitRungeKutta::new(&RUNGE_KUTTA_4, sizes))
     }
 
-    /// Order 5 with error control: see [`DormandPrince`].
+    /// Returns the scheme of order 5 with error control: see [`DormandPrince`].
     pub fn dormand_prince(sizes: Sizes, tolerances: Tolerances, step_s: f64) -> Self {
         Self::DormandPrince(DormandPrince::new(sizes, tolerances, step_s))
     }
@@ -67,8 +68,8 @@ impl<S: Scalar> Scheme<S> {
         Self::ImplicitMidpoint(ImplicitMidpoint::new(sizes))
     }
 
-    /// Numbers that the state's memory must hold for this scheme, all zero at first, with `discrete` discrete numbers
-    /// and modes.
+    /// Returns the number of entries in the state's memory for this scheme, all zero at first, with
+    /// `discrete` discrete numbers and modes.
     pub fn memory_len(&self, discrete: usize) -> usize {
         match self {
             Self::DormandPrince(scheme) => scheme.memory_len(discrete),
@@ -79,8 +80,8 @@ impl<S: Scalar> Scheme<S> {
         }
     }
 
-    /// Moves q, v and s of a state back to a time within its last step, if the scheme has dense output; returns whether
-    /// it has.
+    /// Moves q, v and s of a state back to a time within its last step, if the scheme has dense output;
+    /// returns whether it has.
     pub fn interpolate<Y: System<S>>(&mut self, system: &Y, time_s: f64, state: &mut State<S>) -> bool {
         match self {
             Self::DormandPrince(scheme) => scheme.interpolate(system, time_s, state),
@@ -88,9 +89,9 @@ impl<S: Scalar> Scheme<S> {
         }
     }
 
-    /// Moves q, v and s of the state over an interval. Allocates nothing. `edge_s` is the next time, at the end of the
-    /// interval or later, at which a law changes form, s; infinite if there is none. On an error the state is
-    /// undefined.
+    /// Moves q, v and s of the state over an interval. Allocates nothing. `edge_s` is the next time at which
+    /// a law changes form, at the end of the interval or later, s; infinity if there is none. On an error the
+    /// state is undefined.
     pub fn step<Y: System<S>>(
         &mut self,
         system: &mut Y,

@@ -4,9 +4,9 @@ use super::{Interval, Sizes, Stage, System, accumulate};
 use crate::scalar::Scalar;
 use crate::state::State;
 
-/// `v1 = v0 + h v'(t0, q0, v0)`, `q1 = q0` retracted by `h v1` (de Vogelaere 1956; Hairer, Lubich & Wanner, *Geometric
-/// Numerical Integration*, 2006, I.1.2). Order 1; on oscillations it is stable for `h omega < 2`, while forward Euler
-/// never is. Extra states take the rates at the start.
+/// `v1 = v0 + h v'(t0, q0, v0)`, `q1 = q0` retracted by `h v1` (de Vogelaere 1956; Hairer, Lubich & Wanner,
+/// *Geometric Numerical Integration*, 2006, I.1.2). Order 1; for oscillations it is stable if `h omega < 2`,
+/// while forward Euler is never stable. Extra states use the rates at the start.
 #[derive(Clone, Debug)]
 pub struct SemiImplicitEuler<S = f64> {
     v_dot: Vec<S>,
@@ -16,7 +16,7 @@ pub struct SemiImplicitEuler<S = f64> {
 }
 
 impl<S: Scalar> SemiImplicitEuler<S> {
-    /// A scheme for arrays of these sizes.
+    /// Creates a scheme for arrays of these sizes.
     pub fn new(sizes: Sizes) -> Self {
         let velocities = || vec![S::ZERO; sizes.velocities];
         Self {

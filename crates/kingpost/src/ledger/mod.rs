@@ -24,19 +24,19 @@ use crate::spatial::{Frame, Vector3, Wrench};
 pub const INITIAL_ENERGY: usize = 0;
 /// Entry of s: work of motors, servos and prescribed motions, J.
 pub const WORK_BY_DRIVES: usize = 1;
-/// Entry of s: work of everything outside that has no potential energy, J.
+/// Entry of s: work of external forces without potential energy, J.
 pub const WORK_BY_OUTSIDE: usize = 2;
-/// Entry of s: heat, J.
+/// Entry of s: dissipated energy (heat), J.
 pub const ENERGY_DISSIPATED: usize = 3;
-/// First of three entries of s: linear momentum by its balance, kg m/s, world.
+/// First of three entries of s: linear momentum from the impulse of external forces, kg m/s, world.
 pub const LINEAR_MOMENTUM: usize = 4;
-/// First of three entries of s: angular momentum by its balance, N m s, world.
+/// First of three entries of s: angular momentum from the impulse of external moments, N m s, world.
 pub const ANGULAR_MOMENTUM: usize = 7;
 /// Number of entries.
 pub const COUNT: usize = 10;
 
-/// The reference point of angular momentum: the centre of the first body whose centre of mass is held in place, else
-/// the world's origin (m, world). It does not move.
+/// Returns the reference point of angular momentum: the centre of the first body whose centre of mass is
+/// fixed, otherwise the world's origin (m, world). It does not move.
 pub fn reference_point<S: Scalar>(model: &Model<S>, q: &[S]) -> Vector3<S> {
     let held = |kind: &JointKind<S>| matches!(kind, JointKind::Floating(floating) if floating.hold_translation);
     let node = model.tree.nodes.iter().find(|node| held(&node.kind));
@@ -51,34 +51,34 @@ pub struct JointLoad<S = f64> {
     pub wrench: Wrench<S>,
 }
 
-/// The data for the rates of the ledger.
+/// Data for the rates of the ledger.
 pub struct Entries<'a, S = f64> {
     /// The mechanical model.
     pub model: &'a Model<S>,
-    /// The tree that was solved: `model.links`, or `model.tree`.
+    /// Tree for which the accelerations were solved: `model.links`, or `model.tree`.
     pub tree: &'a Tree<S>,
-    /// Whether that tree contains bodies that are fixed to the world.
+    /// Whether the tree contains bodies that are fixed to the world.
     pub has_fixed: bool,
-    /// Kinematics of its links.
+    /// Kinematics of the tree's links.
     pub links: &'a LinkKinematics<S>,
     /// Velocities.
     pub v: &'a [S],
     /// The loads.
     pub loads: &'a Loads<S>,
-    /// The point that angular momentum is about, m, world.
+    /// Reference point of angular momentum, m, world.
     pub centre: Vector3<S>,
 }
 
 impl<S: Scalar> Entries<'_, S> {
-    /// Writes the rates; `joint` gives the load in the joint of a node of the tree, `along` the force that moves one of
-    /// its coordinates, the rotor included, in N or N m.
+    /// Writes the rates. `joint` returns the load in the joint of a node of the tree; `along` returns the
+    /// force that moves one of its coordinates, with the rotor, in N or N m.
     pub fn rates(&self, joint: impl Fn(usize) -> JointLoad<S>, along: impl Fn(usize, usize) -> S, s_dot: &mut [S]) {
         let (mut force, mut moment) = (Vector3::zero(), Vector3::zero());
         let mut add = |at: Vector3<S>, f: Vector3<S>, m: Vector3<S>| {
             force += f;
             moment += m + (at - self.centre).cross(f);
         };
-        // Loads on a body that is fixed to the world act on the world and change no momentum.
+        // Loads on a body that is fixed to the world act on the world and do not change the momentum.
         let moves = |body: usize| self.model.bodies[body].link.is_some();
         for (body, wrench) in self.loads.wrenches.iter().filter(|(body, _)| moves(*body)) {
             let Frame { rotation, position } = self.links.body_frame(self.model, *body);
@@ -113,8 +113,8 @@ impl<S: Scalar> Entries<'_, S> {
         moment.write_to(&mut s_dot[ANGULAR_MOMENTUM..]);
     }
 
-    /// The load in a joint to the world. A floating joint carries none along its free directions, and the rounding of
-    /// the recursion must not appear as a load.
+    /// Returns the load in a joint to the world. A floating joint transmits none along its free directions:
+    /// rounding errors of the recursion must not appear as a load.
     fn reaction_of_the_world(&self, node: &Node<S>, carried: &JointLoad<S>) -> Wrench<S> {
         let JointKind::Floating(floating) = node.kind else { return carried.wrench };
         let applied = &self.loads.force[node.velocities..];

@@ -1,18 +1,18 @@
-//! Warns of a run whose energy does not balance.
+//! Warning of a run whose energy does not balance.
 
 use crate::elements::{Extreme, Warning, Watcher, significant};
 
-/// Largest error as a share of the energy in play: beyond it the steps were too long, or the equations are wrong. In
-/// the gallery's runs it is at most 1e-5.
+/// Largest allowed energy error, as a share of the energy in play: a larger error means that the steps were
+/// too long or the equations are wrong. In the gallery's runs it is at most 1e-5.
 const SHARE: f64 = 1e-3;
-/// Share of the potential energy that counts as rounding: some thousand operations, each off in its last digit. The zero of
-/// the potential energy is arbitrary, so nothing else is compared with it.
+/// Rounding error of the potential energy, as a share of it: about a thousand operations, each with an error
+/// in the last digit. The zero of the potential energy is arbitrary, so it is used only for this share.
 const ROUNDING: f64 = 1e-12;
-/// Height by which the error would lift all that moves, m: less is too small to matter while little has moved. It is the
-/// stretch of a loaded rope of a centimetre.
+/// Largest negligible energy error, as the height, m, by which it would lift all moving bodies: it matters
+/// while little has moved. For comparison: a loaded rope of 1 cm stretches by this length.
 const HEIGHT_M: f64 = 1e-5;
 
-/// Compares the energy error of a run with the energy in play so far.
+/// Compares the energy error of a run with the largest energy in play so far.
 #[derive(Clone, Debug)]
 pub struct EnergyBalance {
     weight_n: f64,
@@ -22,7 +22,7 @@ pub struct EnergyBalance {
 }
 
 impl EnergyBalance {
-    /// For moving bodies of this weight together, N; 0 without gravity.
+    /// Creates the check for moving bodies with this total weight, N; 0 without gravity.
     pub fn new(weight_n: f64) -> Self {
         let (error, scale, potential) = Default::default();
         Self { weight_n, error, scale, potential }
@@ -48,7 +48,7 @@ impl Watcher for EnergyBalance {
         }
         let text = format!(
             "is off its balance by {} kJ, {} % of the energy in play, {} kJ: the steps are too long for this motion; \
-             the results are not to be trusted, try half of simulation.step_s",
+             do not use the results, try half of simulation.step_s",
             significant(error / 1e3, 3),
             significant(100.0 * error / scale, 3),
             significant(scale / 1e3, 3),

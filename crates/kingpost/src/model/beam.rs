@@ -4,9 +4,10 @@ use super::Section;
 use crate::scalar::Scalar;
 use crate::spatial::{SpatialInertia, Symmetric3};
 
-/// A uniform beam along x in n equal pieces, each with an elastic joint in its middle (the rigid finite element method:
-/// Wittbrodt, Adamiec-Wojcik & Wojciech, Dynamics of Flexible Multibody Systems, 2006, ch. 2). Between the joints it is
-/// rigid: n + 1 segments, the first and the last of half a piece each.
+/// A uniform beam along x in n equal pieces, each with an elastic joint in its middle (the rigid finite
+/// element method: Wittbrodt, Adamiec-Wojcik & Wojciech, Dynamics of Flexible Multibody Systems, 2006, ch.
+/// 2). Between the joints the beam is rigid: it has n + 1 segments, and the first and the last one have the
+/// length of half a piece.
 ///
 /// About its middle the compliance of a piece of length l is diagonal (Przemieniecki, Theory of Matrix
 /// Structural Analysis, 1968, ch. 5):
@@ -15,15 +16,15 @@ use crate::spatial::{SpatialInertia, Symmetric3};
 /// - transverse `l / (k G A) + l^3 / (12 E I)`: the shear of the piece, and the bending within the piece between its
 ///   ends.
 ///
-/// So a beam that is loaded at its ends and in the middles of its segments deflects exactly, whatever n is. Masses are
-/// those of rigid segments; the error of frequencies is of second order in l.
+/// So the deflection of a beam with loads at its ends and in the middle of segments is exact for any n.
+/// Masses are those of rigid segments; the error of frequencies is of second order in l.
 #[derive(Clone, Copy, Debug)]
 pub struct Beam<S = f64> {
-    /// Number n of pieces, and so of joints.
+    /// Number n of pieces, which is the number of joints.
     pub pieces: usize,
-    /// m.
+    /// Length, m.
     pub length: S,
-    /// kg.
+    /// Mass, kg.
     pub mass: S,
     /// Cross-section.
     pub section: Section<S>,
@@ -34,28 +35,29 @@ pub struct Beam<S = f64> {
 }
 
 impl<S: Scalar> Beam<S> {
-    /// Length l of a piece, m.
+    /// Returns the length l of a piece, m.
     pub fn piece(&self) -> S {
         self.length / S::constant(self.pieces as f64)
     }
 
-    /// Position of the joint before segment i, i from 1 to n, m from the beam's start.
+    /// Returns the position of the joint before segment i, with i from 1 to n, m from the beam's start.
     pub fn joint(&self, i: usize) -> S {
         self.piece() * S::constant(i as f64 - 0.5)
     }
 
-    /// Length of a segment, from 0 to n, m.
+    /// Returns the length of a segment, numbered from 0 to n, m.
     pub fn segment_length(&self, i: usize) -> S {
         self.piece() * S::constant(self.pieces_in(i))
     }
 
-    /// Middle of a segment, m from the beam's start.
+    /// Returns the middle of a segment, m from the beam's start.
     pub fn segment_middle(&self, i: usize) -> S {
         let from = if i == 0 { S::ZERO } else { self.joint(i) };
         from + self.segment_length(i) * S::constant(0.5)
     }
 
-    /// The number of the segment at a position, m from the beam's start; beyond an end, the segment at that end.
+    /// Returns the number of the segment at a position, m from the beam's start; beyond an end, the segment
+    /// at that end.
     pub fn segment_at(&self, place: S) -> S {
         let last = self.pieces as f64;
         let [segment] =
@@ -67,12 +69,12 @@ impl<S: Scalar> Beam<S> {
         if segment == 0 || segment == self.pieces { 0.5 } else { 1.0 }
     }
 
-    /// Mass of a segment, kg.
+    /// Returns the mass of a segment, kg.
     pub fn segment_mass(&self, i: usize) -> S {
         self.mass * S::constant(self.pieces_in(i) / self.pieces as f64)
     }
 
-    /// Inertia of a segment about its middle: of its length, and of its cross-section.
+    /// Returns the inertia of a segment about its middle, from its length and its cross-section.
     pub fn segment_inertia(&self, i: usize) -> SpatialInertia<S> {
         let (mass, length) = (self.segment_mass(i), self.segment_length(i));
         let [about_y, about_z] = self.section.second_moments.map(|moment| moment / self.section.area);
@@ -81,8 +83,8 @@ impl<S: Scalar> Beam<S> {
         SpatialInertia::rigid(mass, Symmetric3::diagonal(moments))
     }
 
-    /// Stiffness of a joint in the order of its coordinates: shear along y and z (N/m), torsion, bending
-    /// about y and about z (N m/rad).
+    /// Returns the stiffnesses of a joint in the order of its coordinates: shear along y and z (N/m),
+    /// torsion, bending about y and about z (N m/rad).
     pub fn stiffness(&self) -> [S; 5] {
         let (l, e, g) = (self.piece(), self.youngs_modulus, self.shear_modulus);
         let Section { second_moments: [about_y, about_z], torsion_constant, shear_compliances, .. } = self.section;
@@ -90,7 +92,7 @@ impl<S: Scalar> Beam<S> {
         let across = |shear_compliance: S, second_moment: S| {
             S::ONE / (l * shear_compliance / g + l * l * l / (S::constant(12.0) * e * second_moment))
         };
-        // Bending about z moves a beam along y.
+        // Bending about z displaces a beam along y.
         [across(along_y, about_z), across(along_z, about_y), g * torsion_constant / l, e * about_y / l, e * about_z / l]
     }
 }
@@ -122,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn a_force_at_the_tip_deflects_it_as_timoshenko_says_whatever_the_number_of_pieces() {
+    fn the_deflection_by_a_tip_force_is_timoshenkos_for_any_number_of_pieces() {
         for pieces in [1, 2, 5, 16] {
             let (beam, force) = (beam(pieces), 1000.0);
             let [_, shear_z, _, bending_y, _] = beam.stiffness();

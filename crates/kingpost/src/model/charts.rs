@@ -1,21 +1,21 @@
-//! Local coordinates of all joints at once, in lists by kind.
+//! Local coordinates of all joints, in lists by kind of joint.
 
 use super::joint::{Floating, JointKind, Spherical};
 use super::tree::Node;
 use crate::scalar::Scalar;
 
-/// Indices of joints in q and in v, to which [`retract`](super::Tree::retract) and
-/// [`dexp_inverse`](super::Tree::dexp_inverse) of a model's links reduce.
+/// Indices of joints in q and in v, so that [`retract`](super::Tree::retract) and
+/// [`dexp_inverse`](super::Tree::dexp_inverse) of a model's links become loops over lists.
 #[derive(Clone, Debug, Default)]
 pub struct Charts {
     floating: Vec<(usize, usize)>,
     balls: Vec<(usize, usize)>,
-    /// Coordinates that add.
+    /// Coordinates that are updated by a sum.
     axes: Vec<(usize, usize)>,
 }
 
 impl Charts {
-    /// The charts of these nodes.
+    /// Returns the lists for these nodes.
     pub(super) fn of<S: Scalar>(nodes: &[Node<S>]) -> Self {
         let mut charts = Self::default();
         for Node { kind, positions, velocities, .. } in nodes {
@@ -43,7 +43,7 @@ impl Charts {
         }
     }
 
-    /// `out = xi'`: the rate of the local coordinates that the velocity `v` gives at `xi`.
+    /// Computes `out = xi'`, the rate of the local coordinates for the velocity `v`.
     #[inline]
     pub fn dexp_inverse<S: Scalar>(&self, xi: &[S], v: &[S], out: &mut [S]) {
         for &(_, i) in &self.floating {

@@ -1,45 +1,47 @@
-//! The links of the recursion: fused bodies that are fixed to one another, each in a frame that makes its joint simple.
+//! Links of the recursion: groups of bodies that are fixed to each other, each in a frame in which its joint
+//! is simple.
 
 use super::joint::Floating;
 use super::{Body, JointKind, MotionType, Node, Tree};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Matrix3, RigidInertia, SpatialInertia, Symmetric3, Vector3};
 
-/// The constants of a link for the recursion.
+/// Constants of a link for the recursion.
 #[derive(Clone, Copy, Debug)]
 pub struct Link<S = f64> {
-    /// Its carrier.
+    /// The link's parent.
     pub carrier: Carrier,
     /// The joint to the parent.
     pub joint: LinkJoint,
     /// Whether the translation or the rotation of a floating joint is held.
     pub floating: Floating,
-    /// The mode of a joint with one axis, or whether a ball is held.
+    /// Mode of a joint with one axis, or whether a ball joint is held.
     pub mode: MotionType,
     /// First entry in q.
     pub positions: usize,
     /// First entry in v.
     pub velocities: usize,
-    /// The joint's frame in the parent's: the link's axes with the coordinates at zero.
+    /// Frame of the joint in the parent's frame: the link's axes with the coordinates at zero.
     pub placement: Frame<S>,
-    /// From the joint to the origin of the link's frame, link axes, m.
+    /// Vector from the joint to the origin of the link's frame, link axes, m.
     pub to_child: Vector3<S>,
     /// Inertia.
     pub inertia: LinkInertia<S>,
-    /// Mass of its bodies, kg, for its weight. An inertia that is not that of a rigid body also contains added mass.
+    /// Mass of the link's bodies, kg, for their weight. An inertia that is not that of a rigid body also
+    /// contains added mass.
     pub mass: S,
-    /// That mass times its centre in the link's axes, kg m.
+    /// First moment of this mass: mass times its centre in the link's axes, kg m.
     pub first_moment: Vector3<S>,
-    /// Whether it is also the mass of the inertia, so that the link falls freely under its weight alone.
+    /// Whether the inertia contains only this mass, so that the link falls freely under its weight alone.
     pub falls: bool,
 }
 
-/// The carrier of a link. Links are numbered from the roots outward.
+/// Parent of a link. Links are numbered from the roots outward.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Carrier {
     /// The world: the link is the root of its branch.
     World,
-    /// The root of its branch.
+    /// The root of the link's branch.
     Root(usize),
     /// Another link of the branch.
     Branch(usize),
@@ -48,7 +50,7 @@ pub enum Carrier {
 /// The joints of links.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LinkJoint {
-    /// Six degrees of freedom against the world.
+    /// Six degrees of freedom relative to the world.
     Floating,
     /// Rotation about the link's z axis.
     Revolute,
@@ -58,20 +60,20 @@ pub enum LinkJoint {
     Spherical,
 }
 
-/// The inertia of a link about its frame's origin, in its axes.
+/// Inertia of a link about its frame's origin, in its axes.
 #[derive(Clone, Copy, Debug)]
 pub enum LinkInertia<S = f64> {
-    /// Rigid, with the frame at its centre of mass: every link except a floating one. A frame between the axes of a
-    /// joint has no inertia.
+    /// Rigid, with the frame at the centre of mass: every link except a floating one. A frame between the
+    /// axes of a joint has zero inertia.
     Central {
-        /// kg.
+        /// Mass, kg.
         mass: S,
         /// Moments of inertia about the centre of mass.
         moments: Moments<S>,
     },
-    /// Rigid: a floating link, whose frame is that of its first body.
+    /// Rigid, with the frame of the link's first body: a floating link.
     Rigid(RigidInertia<S>),
-    /// No rigid body's.
+    /// Not the inertia of a rigid body: with added mass.
     Full(SpatialInertia<S>),
 }
 
@@ -91,7 +93,7 @@ impl<S: Scalar> Link<S> {
 }
 
 impl<S> Link<S> {
-    /// Index of the parent link; `None` is the world.
+    /// Returns the index of the parent link; `None` is the world.
     #[inline]
     pub fn parent(&self) -> Option<usize> {
         match self.carrier {
@@ -106,12 +108,13 @@ impl<S> Link<S> {
 pub enum Moments<S = f64> {
     /// The link's axes are principal axes.
     Principal([S; 3]),
-    /// They are not.
+    /// The link's axes are not principal axes.
     General(Symmetric3<S>),
 }
 
 impl<S: Scalar> Moments<S> {
-    /// They are principal axes if the off-diagonal entries are exactly zero in every lane.
+    /// Creates the moments; the axes are principal if the off-diagonal entries are exactly zero in every
+    /// lane.
     fn new(moments: Symmetric3<S>) -> Self {
         let Symmetric3 { xx, xy, xz, yy, yz, zz } = moments;
         if [xy, xz, yz].iter().all(|product| *product == S::ZERO) {
@@ -121,7 +124,8 @@ impl<S: Scalar> Moments<S> {
         }
     }
 
-    /// In axes of which the rotation matrix to these is the transpose of R: `R J R^T`.
+    /// Returns the moments `R J R^T` in other axes; R is the rotation matrix from the link's axes to these
+    /// axes.
     #[inline]
     pub fn rotated(&self, r: &Matrix3<S>) -> Symmetric3<S> {
         match self {
@@ -130,7 +134,7 @@ impl<S: Scalar> Moments<S> {
         }
     }
 
-    /// The inertia in the link's axes.
+    /// Returns the moments in the link's axes.
     pub fn in_link(&self) -> Symmetric3<S> {
         match self {
             Moments::Principal(moments) => Symmetric3::diagonal(*moments),
@@ -139,9 +143,9 @@ impl<S: Scalar> Moments<S> {
     }
 }
 
-/// Moves the frame of each rigid link to its centre of mass unless it floats, rotates that of a link with one axis so
-/// that the axis is its z, and stores the constants of each; `rigid` holds the sums over the bodies in ten numbers,
-/// `None` if one of them is not rigid.
+/// Moves the frame of each rigid link, except floating ones, to its centre of mass, rotates the frame of a
+/// link with one axis so that this axis is z, and stores the constants of each link. `rigid` contains each
+/// link's inertia, summed over its bodies, in ten numbers; `None` if one of the bodies is not rigid.
 pub(super) fn compile_links<S: Scalar>(
     links: &mut Tree<S>,
     bodies: &mut [Body<S>],
@@ -176,7 +180,7 @@ pub(super) fn compile_links<S: Scalar>(
         .collect()
 }
 
-/// The constants of a link whose frame is in its final place.
+/// Returns the constants of a link whose frame is final.
 fn lower<S: Scalar>(node: &Node<S>, carrier: Carrier, rigid: Option<&RigidInertia<S>>) -> Link<S> {
     let (joint, placement) = match &node.kind {
         JointKind::Floating(_) => (LinkJoint::Floating, Frame::identity()),
@@ -211,7 +215,7 @@ fn lower<S: Scalar>(node: &Node<S>, carrier: Carrier, rigid: Option<&RigidInerti
     }
 }
 
-/// Moves a link's frame to `to`, relative to its old place; bodies and joints stay.
+/// Moves a link's frame to `to`, relative to its present pose; bodies and joints do not move.
 fn move_link<S: Scalar>(
     links: &mut Tree<S>,
     bodies: &mut [Body<S>],

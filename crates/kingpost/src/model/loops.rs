@@ -19,28 +19,28 @@ use crate::spatial::Frame;
 pub struct Attachment<S = f64> {
     /// The body; `None` is the world.
     pub body: Option<usize>,
-    /// The attachment in the body's frame, or in the world.
+    /// Pose of the attachment in the body's frame, or in the world.
     pub in_body: Frame<S>,
-    /// The link that carries the body; `None` where it is fixed to the world.
+    /// The link that contains the body; `None` if the body is fixed to the world.
     pub link: Option<usize>,
-    /// The attachment in the link's frame, or in the world.
+    /// Pose of the attachment in the link's frame, or in the world.
     pub in_link: Frame<S>,
 }
 
 /// One equation between two attachments.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Constraint<S = f64> {
-    /// The second attachment stays at zero along this axis (0, 1, 2) of the first.
+    /// The offset of the second attachment along this axis (0, 1, 2) of the first one is zero.
     Offset(usize),
-    /// An axis of the first and another of the second stay perpendicular: phi is their scalar product, with the sign
-    /// for which a small positive rotation about the third axis is positive.
+    /// An axis of the first attachment and a different axis of the second one are perpendicular: phi is their
+    /// scalar product, with the sign for which a small positive rotation about the third axis is positive.
     Perpendicular {
         /// Axis of the first attachment: 0, 1 or 2.
         first: usize,
         /// Axis of the second, different from `first`.
         second: usize,
     },
-    /// The attachments stay this far apart, m: a massless rod.
+    /// The distance of the attachments has this value, m: a massless rod.
     Distance(S),
 }
 
@@ -55,26 +55,26 @@ pub enum RotationAxis {
     Yaw,
 }
 
-/// A named cut joint.
+/// A closed loop, cut open at a joint that constraints represent.
 #[derive(Clone, Debug)]
 pub struct Loop<S = f64> {
     /// Unique name.
     pub name: String,
-    /// The attachment to the first body: its axes are those of the constraints.
+    /// Attachment on the first body: its axes are those of the constraints.
     pub first: Attachment<S>,
-    /// The attachment to the second body.
+    /// Attachment on the second body.
     pub second: Attachment<S>,
-    /// Its equations, each with its name in the scenario.
+    /// Equations of the loop, each with its name in the scenario.
     pub constraints: Vec<(String, Constraint<S>)>,
 }
 
 impl<S: Scalar> Attachment<S> {
-    /// An attachment on a body, or in the world.
+    /// Creates an attachment on a body, or in the world.
     pub fn on(body: Option<usize>, in_body: Frame<S>) -> Self {
         Self { body, in_body, link: None, in_link: in_body }
     }
 
-    /// Returns the attachment with its link, once the bodies have their links.
+    /// Returns the attachment with its link, after the bodies have their links.
     pub(super) fn on_link(self, bodies: &[Body<S>]) -> Self {
         let Some(body) = self.body.map(|body| &bodies[body]) else { return self };
         Self { link: body.link, in_link: body.in_link.times(&self.in_body), ..self }
@@ -82,9 +82,10 @@ impl<S: Scalar> Attachment<S> {
 }
 
 impl<S: Scalar> Constraint<S> {
-    /// The constraint of one rotation if `all` are the constrained ones. Two of them leave a hinge about the third
-    /// axis: B's hinge axis stays perpendicular to A's other two, at any angle of the hinge. Otherwise phi is that of
-    /// the intrinsic z-y-x angles: B's y on A's z for roll, B's x on A's z for pitch, B's x on A's y for yaw.
+    /// Returns the constraint of one rotation; `all` are the constrained rotations. Two constrained rotations
+    /// leave a hinge about the third axis: B's hinge axis stays perpendicular to A's other two, at any angle
+    /// of the hinge. Otherwise phi is that of the intrinsic z-y-x angles: B's y on A's z for roll, B's x on
+    /// A's z for pitch, B's x on A's y for yaw.
     pub fn rotation(turn: RotationAxis, all: &[RotationAxis]) -> Self {
         let third = |axis: usize| 3 - turn as usize - axis;
         let free: Vec<usize> = (0..3).filter(|axis| !all.iter().any(|turn| *turn as usize == *axis)).collect();
@@ -96,7 +97,7 @@ impl<S: Scalar> Constraint<S> {
         Self::Perpendicular { first: third(second), second }
     }
 
-    /// Unit of its equation.
+    /// Returns the unit of the constraint's equation.
     pub fn unit(&self) -> &'static str {
         match self {
             Self::Offset(_) | Self::Distance(_) => "m",

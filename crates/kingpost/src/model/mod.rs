@@ -1,7 +1,7 @@
 //! The mechanical model: bodies in a tree, their joints, inertia, shapes and named points.
 //!
-//! A [`Model`] is immutable once built. Each body's frame sits at its centre of mass. Positions q
-//! and velocities v are flat arrays; every joint owns a range of both.
+//! A [`Model`] is immutable after its construction. The frame of each body is at its centre of mass.
+//! Positions q and velocities v are flat arrays; every joint has a range of both.
 
 mod beam;
 mod charts;
@@ -24,14 +24,14 @@ pub use tree::{Node, Tree};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, RigidInertia, SpatialInertia, Vector3};
 
-/// The definition of a body for [`Model::new`].
+/// Definition of a body for [`Model::new`].
 #[derive(Clone, Debug)]
 pub struct BodyDefinition<S = f64> {
     /// Unique name.
     pub name: String,
     /// Index of the parent among the bodies before it; `None` is the world.
     pub parent: Option<usize>,
-    /// The joint to its parent.
+    /// Joint to the parent.
     pub joint: Joint<S>,
     /// Mass, kg.
     pub mass: S,
@@ -41,16 +41,16 @@ pub struct BodyDefinition<S = f64> {
     pub points: Vec<(String, Vector3<S>)>,
 }
 
-/// A body of a built model.
+/// A body of a complete model.
 #[derive(Clone, Debug)]
 pub struct Body<S = f64> {
     /// Unique name.
     pub name: String,
     /// Mass, kg.
     pub mass: S,
-    /// The link that carries it; `None` where it is fixed to the world.
+    /// The link that contains the body; `None` if the body is fixed to the world.
     pub link: Option<usize>,
-    /// Its frame in the link's frame, or in the world if there is no link.
+    /// Frame of the body in the link's frame, or in the world if there is no link.
     pub in_link: Frame<S>,
     /// Named points in body axes from the centre of mass, m.
     pub points: Vec<(String, Vector3<S>)>,
@@ -58,10 +58,10 @@ pub struct Body<S = f64> {
 
 /// The immutable mechanical model.
 ///
-/// It holds the tree twice. In `tree`, node i is body i: the moving frame method, the results and the joint reactions
-/// use it. In `links`, bodies that are fixed to one another are fused into one node, and a joint of several axes is
-/// several nodes of one axis with massless links between them: the recursive dynamics uses it. Its joints are floating,
-/// revolute, prismatic or spherical.
+/// It contains the tree in two forms. In `tree`, node i is body i; the moving frame method, the results and
+/// the joint reactions use this form. In `links`, bodies that are fixed to each other are one node, and a
+/// joint of several axes becomes several nodes of one axis, with massless links between them; the recursive
+/// dynamics uses this form. Its joints are floating, revolute, prismatic or spherical.
 #[derive(Clone, Debug)]
 pub struct Model<S = f64> {
     /// The bodies, parents first.
@@ -72,9 +72,9 @@ pub struct Model<S = f64> {
     pub tree: Tree<S>,
     /// One node per link.
     pub links: Tree<S>,
-    /// The root of each link's branch.
+    /// Root of each link's branch.
     pub roots: Vec<usize>,
-    /// The constants of the same links for the recursion, one record each.
+    /// Constants of the links for the recursion, one record per link.
     pub plan: Vec<Link<S>>,
     /// Local coordinates of the links.
     pub charts: Charts,
@@ -84,21 +84,23 @@ pub struct Model<S = f64> {
     pub velocity_count: usize,
     /// Mode of each coordinate of v.
     pub modes: Vec<MotionType>,
-    /// By coordinate of v: the inertia of the drive's rotor times the gear ratio squared, kg m^2 or kg; 0 for floating
-    /// and spherical joints. It acts along the coordinate, in M* and in the kinetic energy. The rotor's momentum in
-    /// space is neglected, because its position is not known.
+    /// Inertia of the drive's rotor times the gear ratio squared, for each coordinate of v, kg m^2 or kg; 0
+    /// for floating and spherical joints. It acts along the coordinate, in M* and in the kinetic energy. The
+    /// rotor's momentum in space is neglected, because its position is not known.
     pub rotor_inertia: Vec<S>,
     /// Closed loops.
     pub loops: Vec<Loop<S>>,
-    /// By body: the added mass in its inertia, which has no weight, in body axes about the centre of mass.
+    /// Bodies with added mass in their inertia, and this added mass, in body axes about the centre of mass;
+    /// it has no weight.
     pub added_inertias: Vec<(usize, SpatialInertia<S>)>,
 }
 
 impl<S: Scalar> Model<S> {
-    /// Lays out the coordinates, fuses fixed joints and splits joints of several axes.
+    /// Builds the model: assigns the coordinates, combines bodies at fixed joints and splits joints of
+    /// several axes.
     ///
     /// # Panics
-    /// When a parent does not come before its child: the caller must order the bodies.
+    /// If a parent does not precede its child: the caller must order the bodies.
     pub fn new(descriptions: Vec<BodyDefinition<S>>) -> Self {
         let (mut tree, mut links) = (Tree::default(), Tree::default());
         let (mut bodies, mut joints, mut rigid) = (Vec::<Body<S>>::new(), Vec::new(), Vec::new());
@@ -151,7 +153,7 @@ impl<S: Scalar> Model<S> {
         }
     }
 
-    /// A point with axes on a body, or in the world, given in the body's frame.
+    /// Returns the attachment on a body, or in the world, at a pose in the body's frame.
     pub fn attachment(&self, body: Option<usize>, in_body: Frame<S>) -> Attachment<S> {
         Attachment::on(body, in_body).on_link(&self.bodies)
     }
@@ -164,11 +166,12 @@ impl<S: Scalar> Model<S> {
         self
     }
 
-    /// Returns the model with added mass at infinite frequency in the inertia of a body, in body axes about the centre
-    /// of mass. It moves with the body, so the velocity terms are those of Kirchhoff's equations.
+    /// Returns the model with added mass at infinite frequency in the inertia of a body, in body axes about
+    /// the centre of mass. The added mass moves with the body, so the velocity terms are those of Kirchhoff's
+    /// equations.
     ///
     /// # Panics
-    /// When the body is fixed to the world.
+    /// If the body is fixed to the world.
     pub fn with_added_inertia(mut self, body: usize, added: SpatialInertia<S>) -> Self {
         let link = self.bodies[body].link.expect("added inertia is of a body that moves");
         self.tree.nodes[body].inertia += added;
@@ -179,7 +182,7 @@ impl<S: Scalar> Model<S> {
         self
     }
 
-    /// Number of constraints of all loops.
+    /// Returns the number of constraints of all loops.
     pub fn constraint_count(&self) -> usize {
         self.loops.iter().map(|closed| closed.constraints.len()).sum()
     }
@@ -190,33 +193,33 @@ impl<S: Scalar> Model<S> {
         self.loops.iter().flat_map(of).collect()
     }
 
-    /// Index of the body of this name.
+    /// Returns the index of the body with this name.
     pub fn body(&self, name: &str) -> Option<usize> {
         self.bodies.iter().position(|b| b.name == name)
     }
 
-    /// A body and all bodies below it in the tree, itself first.
+    /// Returns a body and all bodies below it in the tree, itself first.
     pub fn carried(&self, body: usize) -> Vec<usize> {
         let mut is_carried = vec![false; self.bodies.len()];
         is_carried[body] = true;
-        // Parents stand first.
+        // Parents precede their children.
         for (child, node) in self.tree.nodes.iter().enumerate().skip(body + 1) {
             is_carried[child] = node.parent.is_some_and(|parent| is_carried[parent]);
         }
         (body..is_carried.len()).filter(|&body| is_carried[body]).collect()
     }
 
-    /// Index of the joint, and so of its body, of this name.
+    /// Returns the index of the joint with this name, which is also the index of its body.
     pub fn joint(&self, name: &str) -> Option<usize> {
         self.joints.iter().position(|j| j.name == name)
     }
 
-    /// Index in v of the coordinate of this name.
+    /// Returns the index in v of the coordinate with this name.
     pub fn coordinate(&self, name: &str) -> Option<usize> {
         self.coordinate_names().iter().position(|n| n == name)
     }
 
-    /// The body whose joint owns a coordinate of v, and which of the joint's coordinates it is.
+    /// Returns the body whose joint has a coordinate of v, and the index of the coordinate within the joint.
     pub fn owner(&self, coordinate: usize) -> Option<(usize, usize)> {
         let place = |node: &Node<S>| {
             let k = coordinate.checked_sub(node.velocities)?;
@@ -225,8 +228,8 @@ impl<S: Scalar> Model<S> {
         self.tree.nodes.iter().enumerate().find_map(|(body, node)| Some((body, place(node)?)))
     }
 
-    /// Whether a coordinate of v rotates or slides, and its index in q; `None` for those of floating and spherical
-    /// joints.
+    /// Returns whether a coordinate of v rotates or slides, and its index in q; `None` for coordinates of
+    /// floating and spherical joints.
     pub fn axis_coordinate(&self, coordinate: usize) -> Option<(AxisMotion, usize)> {
         let (body, k) = self.owner(coordinate)?;
         let node = &self.tree.nodes[body];
@@ -238,7 +241,7 @@ impl<S: Scalar> Model<S> {
         self.joints.iter().flat_map(Joint::coordinate_names).collect()
     }
 
-    /// Whether each coordinate of v rotates: then it is an angle, rad, otherwise a length, m.
+    /// Returns whether each coordinate of v is a rotation, rad; otherwise it is a length, m.
     pub fn turning_coordinates(&self) -> Vec<bool> {
         let of = |kind: &JointKind<S>| match kind {
             JointKind::Floating(_) => vec![false, false, false, true, true, true],
@@ -247,12 +250,12 @@ impl<S: Scalar> Model<S> {
         self.tree.nodes.iter().flat_map(|node| of(&node.kind)).collect()
     }
 
-    /// Indices in q at which unit quaternions begin.
+    /// Returns the indices in q at which unit quaternions start.
     pub fn quaternions(&self) -> impl Iterator<Item = usize> + '_ {
         self.tree.nodes.iter().filter_map(|node| Some(node.positions + node.kind.quaternion()?.0))
     }
 
-    /// Indices into v of the free coordinates: the rows of M*, N* and F*.
+    /// Returns the indices in v of the free coordinates: the rows of M*, N* and F*.
     pub fn free_coordinates(&self) -> Vec<usize> {
         (0..self.velocity_count).filter(|&i| self.modes[i] == MotionType::Free).collect()
     }

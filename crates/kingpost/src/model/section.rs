@@ -16,9 +16,10 @@ pub struct Section<S = f64> {
 }
 
 impl<S: Scalar> Section<S> {
-    /// A round tube, or a round bar if the wall is half of the diameter. The shear coefficient is that of Cowper 1966,
-    /// J. Appl. Mech. 33(2), for Poisson's ratio nu: `k = 6 (1 + nu) (1 + m^2)^2 / ((7 + 6 nu) (1 + m^2)^2 + (20 + 12
-    /// nu) m^2)`, m inner over outer.
+    /// Returns the section of a round tube, or of a round bar if the wall is half of the diameter. The shear
+    /// coefficient is that of Cowper 1966, J. Appl. Mech. 33(2), for Poisson's ratio nu: `k = 6 (1 + nu) (1 +
+    /// m^2)^2 / ((7 + 6 nu) (1 + m^2)^2 + (20 + 12 nu) m^2)`, where m is the ratio of inner to outer
+    /// diameter.
     ///
     /// ```
     /// use kingpost::model::Section;
@@ -45,9 +46,9 @@ impl<S: Scalar> Section<S> {
         }
     }
 
-    /// A rectangular tube of uniform wall, its width along y, its height along z: torsion constant by
-    /// Bredt, `2 t b^2 h^2 / (b + h)` with b and h between the walls' middles; shear areas
-    /// `A b / (b + h)` along y and `A h / (b + h)` along z (EN 1993-1-1, 6.2.6).
+    /// Returns the section of a rectangular tube of uniform wall, with its width along y and its height along
+    /// z: torsion constant by Bredt, `2 t b^2 h^2 / (b + h)` with b and h between the walls' middles; shear
+    /// areas `A b / (b + h)` along y and `A h / (b + h)` along z (EN 1993-1-1, 6.2.6).
     ///
     /// ```
     /// use kingpost::model::Section;

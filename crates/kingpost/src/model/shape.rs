@@ -41,7 +41,7 @@ pub enum Shape<S = f64> {
 }
 
 impl<S: Scalar> Shape<S> {
-    /// Moments of inertia about the centre of mass in body axes, kg m^2, for a mass in kg.
+    /// Returns the moments of inertia about the centre of mass in body axes, kg m^2, for a mass in kg.
     ///
     /// ```
     /// use kingpost::model::Shape;

@@ -1,18 +1,18 @@
-//! The kinematic tree that the dynamics runs over, and its local coordinates.
+//! Kinematic tree for the dynamics, and its local coordinates.
 
 use super::joint::{JointKind, MotionType};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, SpatialInertia};
 
-/// One body or link: its parent, its joint and its inertia.
+/// A body or a link, with its parent, joint and inertia.
 #[derive(Clone, Copy, Debug)]
 pub struct Node<S = f64> {
     /// Index of the parent node, always smaller; `None` is the world.
     pub parent: Option<usize>,
     /// The joint to the parent.
     pub kind: JointKind<S>,
-    /// Whether a joint of one axis moves freely, is held or follows a prescribed motion, and whether
-    /// a spherical joint is held; floating joints and lists of axes have their own modes.
+    /// Mode of a joint of one axis (free, held or prescribed), or whether a spherical joint is held; floating
+    /// joints and lists of axes contain their modes.
     pub mode: MotionType,
     /// First entry in q.
     pub positions: usize,
@@ -30,8 +30,8 @@ pub struct Tree<S = f64> {
 }
 
 impl<S: Scalar> Tree<S> {
-    /// Appends the links of a body's joint to the link `carrier`, which carries the parent at `in_carrier`; their
-    /// inertia stays zero. Returns the index of the last.
+    /// Appends the links of a body's joint to the link `carrier`, in which the parent's frame is
+    /// `in_carrier`; the inertia of the new links is zero. Returns the index of the last one.
     pub(super) fn append(&mut self, body: &Node<S>, carrier: Option<usize>, in_carrier: &Frame<S>) -> usize {
         let inertia = SpatialInertia::default();
         match body.kind.seen_from(in_carrier) {
@@ -47,7 +47,7 @@ impl<S: Scalar> Tree<S> {
         self.nodes.len() - 1
     }
 
-    /// Length of v.
+    /// Returns the length of v.
     pub fn velocity_count(&self) -> usize {
         self.nodes.last().map_or(0, |node| node.velocities + node.kind.velocity_count())
     }
@@ -63,7 +63,7 @@ impl<S: Scalar> Tree<S> {
         }
     }
 
-    /// `out = xi'`: the rate of the local coordinates that the velocity `v` gives at `xi`.
+    /// Computes `out = xi'`, the rate of the local coordinates for the velocity `v`.
     pub fn dexp_inverse(&self, xi: &[S], v: &[S], out: &mut [S]) {
         for node in &self.nodes {
             let i = node.velocities;

@@ -1,4 +1,4 @@
-//! The actions of elements between two steps: begin, sample, watch and respond to events.
+//! Actions of elements between two steps: start, sampling, response to events.
 
 use super::element_contexts::ElementContexts;
 use super::{Plant, Totals};
@@ -9,12 +9,12 @@ use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 use crate::state::State;
 
-/// A sampling time closer than this share of the period counts as now.
+/// Tolerance of a sampling time, as a share of the period: a time closer than this counts as reached.
 const TICK_SLACK: f64 = 1e-9;
 
 impl<S: Scalar> Plant<S> {
-    /// Writes s, d and m for a run that begins with the state's q and v at a time; `inputs` are the values of all
-    /// inputs.
+    /// Writes s, d and m for a run that starts at a time with the q and v of the state; `inputs` are the
+    /// values of all inputs.
     pub fn begin(&mut self, time_s: f64, inputs: &[S], state: &mut State<S>) {
         state.s = vec![S::ZERO; self.layout.extras()];
         state.d = inputs.to_vec();
@@ -29,7 +29,7 @@ impl<S: Scalar> Plant<S> {
         self.open_ledger(time_s, state);
     }
 
-    /// Lets every element set its modes again after numbers were changed during a run.
+    /// Lets every element set its modes again, after numbers were changed during a run.
     pub fn renew(&mut self, time_s: f64, state: &mut State<S>) {
         for i in 0..self.elements.len() {
             self.change(i, time_s, state, |element, at, own, _| element.renew(at, own));
@@ -37,7 +37,7 @@ impl<S: Scalar> Plant<S> {
         self.take_hold(time_s, state);
     }
 
-    /// Sets an input, from now on and at the end of the step; its element may change its modes.
+    /// Sets an input, with effect from now on and at the end of the step; its element can change its modes.
     pub fn set_input(&mut self, input: usize, value: S, time_s: f64, state: &mut State<S>) {
         state.d[self.layout.end_of(input)] = value;
         if state.d[input] == value {
@@ -56,7 +56,7 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
-    /// Begins the ledger at the present state.
+    /// Starts the ledger at the present state.
     pub fn open_ledger(&mut self, time_s: f64, state: &mut State<S>) {
         if self.layout.ledger == 0 {
             return;
@@ -69,7 +69,8 @@ impl<S: Scalar> Plant<S> {
         totals.angular_momentum.write_to(&mut s[ledger::ANGULAR_MOMENTUM..]);
     }
 
-    /// The next time after `after_s` at which a law changes form or an element samples, s; infinite if there is none.
+    /// Returns the next time after `after_s` at which a law changes form or an element samples, s; infinity
+    /// if there is none.
     pub fn next_edge_s(&self, after_s: f64, modes: &[i64]) -> f64 {
         let of = |(i, element): (usize, &AnyElement<S>)| {
             let share = &self.layout.slices[i];
@@ -82,8 +83,8 @@ impl<S: Scalar> Plant<S> {
         self.elements.iter().enumerate().map(of).fold(f64::INFINITY, f64::min)
     }
 
-    /// Lets each element sample that is due at this time, in the order of the elements; the wires from an element are
-    /// updated right after it.
+    /// Lets each element with a sampling time now take its sample, in the order of the elements; the wires
+    /// from an element are updated directly after its sample.
     pub fn sample(&mut self, time_s: f64, state: &mut State<S>) {
         for i in 0..self.elements.len() {
             let Some(period_s) = self.layout.slices[i].period_s else { continue };
@@ -95,10 +96,10 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
-    /// Lets a steering element set its inputs from the columns that it reads; `values` is working memory.
+    /// Lets a steering element set its inputs, from the columns that it reads; `values` is working memory.
     ///
     /// # Errors
-    /// The reason why the run ends, in the element's words.
+    /// The element's reason to end the run.
     pub fn update_controls(
         &mut self,
         steer: usize,
@@ -128,13 +129,13 @@ impl<S: Scalar> Plant<S> {
         steered
     }
 
-    /// Replaces the inputs in `d` by the values that they reach at the end of the step: those of a row.
+    /// Replaces the inputs in `d` by their values at the end of the step, which a row shows.
     pub fn show_ends(&self, d: &mut [S]) {
         let (inputs, ends) = d.split_at_mut(self.layout.end_of(0));
         inputs[..ends.len()].copy_from_slice(ends);
     }
 
-    /// Writes the outputs of an element to the inputs that are wired to them.
+    /// Writes the outputs of an element to the inputs that wires connect to them.
     fn pass_on(&mut self, element: usize, time_s: f64, state: &mut State<S>) {
         if !self.layout.wires.iter().any(|wire| wire.element == element) {
             return;
@@ -165,12 +166,13 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
-    /// The events that responses and changes from outside have caused since the last call.
+    /// Returns the events that responses and changes from outside have caused since the last call.
     pub fn brought_about(&mut self) -> Vec<Watched> {
         core::mem::take(&mut self.also)
     }
 
-    /// Lets an element respond to its event at a time; the change of energy and momentum is booked in the ledger.
+    /// Lets an element respond to its event at a time; the change of energy and momentum is entered in the
+    /// ledger.
     pub fn handle_event(&mut self, watched: Watched, time_s: f64, state: &mut State<S>) {
         let before = self.totals(instant(time_s, state));
         self.change(watched.element, time_s, state, |element, at, own, v| {
@@ -180,7 +182,8 @@ impl<S: Scalar> Plant<S> {
         self.book_jump(&before, time_s, state);
     }
 
-    /// Books a sudden change: lost energy became heat, gained energy and all momentum came from outside.
+    /// Enters a sudden change in the ledger: a loss of energy as heat, a gain of energy and any change of
+    /// momentum as work and impulse from outside.
     pub fn book_jump(&mut self, before: &Totals<S>, time_s: f64, state: &mut State<S>) {
         if self.layout.ledger == 0 {
             return;
@@ -197,7 +200,7 @@ impl<S: Scalar> Plant<S> {
         add(ledger::ANGULAR_MOMENTUM, after.angular_momentum - before.angular_momentum);
     }
 
-    /// Gives an element the state at a time, to change its own entries and v.
+    /// Lets an element change its own entries of the state, and v, at a time.
     fn change(
         &mut self,
         element: usize,
@@ -218,7 +221,7 @@ impl<S: Scalar> Plant<S> {
     }
 }
 
-/// A state at one time, as a stage.
+/// Returns the stage for a state at one time.
 pub(super) fn instant<S>(time_s: f64, state: &State<S>) -> Stage<'_, S> {
     let State { q, v, s, d, m, .. } = state;
     Stage { time_s, interval: Interval { start_s: time_s, end_s: time_s }, q, v, s, d, m }

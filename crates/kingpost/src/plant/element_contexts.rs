@@ -6,23 +6,23 @@ use crate::integrate::Stage;
 use crate::model::Model;
 use crate::world::World;
 
-/// A stage with its kinematics, which gives each element its own context.
+/// A stage with its kinematics; it creates the context of each element.
 #[derive(Clone, Copy, Debug)]
 pub struct ElementContexts<'a, S> {
-    /// The places of all entries.
+    /// Indices of all entries.
     pub layout: &'a Layout,
     /// The part that all elements share.
     pub shared: Context<'a, S>,
-    /// s behind the ledger.
+    /// Entries of s after those of the ledger.
     states: &'a [S],
     discrete: &'a [S],
     modes: &'a [i64],
-    /// Context with the entries of the last element that has any.
+    /// Context of the last element that has entries.
     own: Option<Context<'a, S>>,
 }
 
 impl<'a, S: Copy> ElementContexts<'a, S> {
-    /// The contexts at a stage.
+    /// Creates the contexts at a stage.
     pub fn new(
         layout: &'a Layout,
         world: &'a World<S>,
@@ -40,7 +40,7 @@ impl<'a, S: Copy> ElementContexts<'a, S> {
         Self { layout, shared, states, discrete: at.d, modes: at.m, own: None }
     }
 
-    /// The context of one element.
+    /// Returns the context of an element.
     #[inline]
     pub fn of(&mut self, element: usize) -> &Context<'a, S> {
         let StateSlices { states, inputs, numbers, modes, has_own, .. } = &self.layout.slices[element];
@@ -55,7 +55,8 @@ impl<'a, S: Copy> ElementContexts<'a, S> {
         own
     }
 
-    /// Gives an element its context with the values that its inputs reach at the end of the step; loads do not need them.
+    /// Returns the context of an element with the values of its inputs at the end of the step; loads do not
+    /// need these values.
     pub fn with_ends(&mut self, element: usize) -> &Context<'a, S> {
         let ends = self.layout.ends_of(self.layout.slices[element].inputs.clone());
         let ends = self.discrete.get(ends).unwrap_or_default();

@@ -1,4 +1,5 @@
-//! One-sided constraints that elements hold while their modes say so: they begin with an impact and let go.
+//! One-sided constraints that elements hold while their modes require it: they start with an impact and end
+//! by release.
 
 use super::Plant;
 use super::between_steps::instant;
@@ -13,17 +14,18 @@ use crate::state::State;
 use crate::world::World;
 
 impl<S: Scalar> Plant<S> {
-    /// Whether anything is constrained, by loops or by elements.
+    /// Returns whether loops or elements constrain the motion.
     pub(super) fn constrains(&self) -> bool {
         !self.model.loops.is_empty() || self.holds()
     }
 
-    /// Whether an element holds, at the last evaluation of the loads.
+    /// Returns whether an element holds a constraint, at the last evaluation of the loads.
     fn holds(&self) -> bool {
         self.loads.restraints.iter().any(|restraint| restraint.acts)
     }
 
-    /// The name of the element that holds a constraint, counted over the loops' constraints and then those that act.
+    /// Returns the name of the element that holds a constraint; the index counts the loops' constraints
+    /// first, then the active ones of elements.
     pub fn holds_behind_loops(&self, constraint: usize) -> Option<&str> {
         let place = constraint.checked_sub(self.model.constraint_count())?;
         let mut acting = self.loads.restraints.iter().filter(|restraint| restraint.acts);
@@ -47,7 +49,7 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
-    /// Gives the elements the forces that they carry, from the last solution for the accelerations.
+    /// Passes to the elements the forces of their constraints, from the last solution for the accelerations.
     pub(super) fn hand_out_multipliers(&mut self) {
         let mut multipliers = self.loops.of_restraints().iter();
         for (&i, restraint) in self.layout.holding.iter().zip(&self.loads.restraints) {
@@ -58,8 +60,8 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
-    /// Projects onto every active constraint by `work` with the solver; the kinematics is then that of the corrected
-    /// state.
+    /// Calls `work` with the solver to project onto every active constraint; the kinematics must be that of
+    /// the corrected state.
     pub(super) fn project<R>(
         &mut self,
         work: impl FnOnce(&mut super::LoopSolver<S>, &mut Projection<'_, S>) -> R,
@@ -71,13 +73,13 @@ impl<S: Scalar> Plant<S> {
         work(loops, &mut Projection { model, links, work: memory, loads, hold: &mut hold })
     }
 
-    /// After modes changed at a time: elements that have come taut cause an impact, and elements with a negative force
-    /// let go.
+    /// Updates the constraints after modes changed at a time: ropes and other elements that have become taut
+    /// cause an impact, and elements with a negative force release.
     pub(super) fn take_hold(&mut self, time_s: f64, state: &mut State<S>) {
         if self.layout.holding.is_empty() {
             return;
         }
-        // With added mass, which an impact moves too.
+        // The loads are evaluated with the added mass, because an impact moves it too.
         self.evaluate_loads(instant(time_s, state));
         if !self.holds() {
             self.hand_out_multipliers();
@@ -104,7 +106,8 @@ impl<S: Scalar> Plant<S> {
         self.loops.forget_pivots();
     }
 
-    /// Releases the element with the most negative force, if there is one; returns whether there was.
+    /// Releases the element with the most negative force, if there is one; returns whether an element was
+    /// released.
     fn let_go_of_least(&mut self, carried: &[S], state: &mut State<S>) -> bool {
         let acting = self.layout.holding.iter().zip(&self.loads.restraints).filter(|(_, restraint)| restraint.acts);
         let least = acting.zip(carried).min_by(|(_, a), (_, b)| a.value().total_cmp(&b.value()));
@@ -116,7 +119,8 @@ impl<S: Scalar> Plant<S> {
         true
     }
 
-    /// While an equilibrium is sought: elements that held go on, and elements that have come taut begin to hold.
+    /// Updates the constraints during the search for an equilibrium: elements that held continue to hold, and
+    /// elements that have become taut start to hold.
     pub fn keep_hold(&mut self, before: &[i64], state: &mut State<S>) {
         for &i in &self.layout.holding {
             let modes = self.layout.slices[i].modes.clone();
@@ -128,14 +132,15 @@ impl<S: Scalar> Plant<S> {
         self.evaluate_restraints(instant(0.0, state));
     }
 
-    /// At rest: releases the element with the most negative force in the last solution for the accelerations, if there
-    /// is one; returns whether there was.
+    /// Releases, at rest, the element with the most negative force in the last solution for the
+    /// accelerations, if there is one; returns whether an element was released.
     pub fn let_go_at_rest(&mut self, state: &mut State<S>) -> bool {
         let carried = self.loops.of_restraints().to_vec();
         self.let_go_of_least(&carried, state)
     }
 
-    /// Corrects the derivatives of q for the constraints that elements hold; its values already satisfy them.
+    /// Corrects the derivatives of q for the constraints that elements hold; the values of q already satisfy
+    /// them.
     pub fn follow_restraints(&mut self, time_s: f64, state: &State<S>, q: &mut [S]) {
         self.evaluate_loads(instant(time_s, state));
         if self.holds() {
@@ -143,8 +148,8 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
-    /// Begins to watch the closed loops: the distance from a singular position is measured relative to the present
-    /// position.
+    /// Starts to monitor the closed loops: the distance from a singular position is measured relative to the
+    /// present position.
     pub fn watch_loops(&mut self, q: &[S], v: &[S]) {
         if !self.model.loops.is_empty() {
             self.loads.clear();
@@ -152,7 +157,8 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
-    /// The constraint with the largest error at a state, and the error, m or rad; `None` without loops.
+    /// Returns the constraint with the largest error at a state, and the error, m or rad; `None` without
+    /// loops.
     pub fn loop_gap(&mut self, q: &[S], v: &[S]) -> Option<(usize, f64)> {
         self.links.update(&self.model, q, v);
         self.loops.update_rows(&self.model, &self.links);
@@ -160,7 +166,7 @@ impl<S: Scalar> Plant<S> {
         gaps.max_by(|a, b| a.1.total_cmp(&b.1))
     }
 
-    /// Computes the forces of the constraints at a stage and gives them to their elements.
+    /// Computes the forces of the constraints at a stage and passes them to their elements.
     pub(super) fn load_restraints(&mut self, at: Stage<'_, S>) {
         if self.layout.holding.is_empty() {
             return;
@@ -172,7 +178,7 @@ impl<S: Scalar> Plant<S> {
     }
 }
 
-/// Writes the active restraints; an element needs none of its own entries for this.
+/// Writes the active restraints; this does not need the entries of the elements.
 fn hold<S: Scalar>(
     elements: &mut [AnyElement<S>],
     layout: &Layout,

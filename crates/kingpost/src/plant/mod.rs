@@ -1,4 +1,4 @@
-//! The right-hand side: model, world and elements combined for an integrator.
+//! Right-hand side of the equations of motion: combines model, world and elements for an integrator.
 
 mod between_steps;
 mod element_contexts;
@@ -29,14 +29,14 @@ use nalgebra::DMatrix;
 /// The form of the equations of motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Form {
-    /// The recursion: fast, allocates nothing.
+    /// The recursive form: fast, without allocation.
     #[default]
     Recursive,
     /// The matrices of the moving frame method, with this variation of the angular velocity.
     MovingFrame(Variation),
 }
 
-/// Model, world and elements, with the working memory to evaluate them.
+/// Model, world and elements, with the working memory for their evaluation.
 #[derive(Clone, Debug)]
 pub struct Plant<S: Scalar = f64> {
     /// The mechanical model.
@@ -44,10 +44,10 @@ pub struct Plant<S: Scalar = f64> {
     /// The world outside the model.
     pub world: World<S>,
     elements: Vec<AnyElement<S>>,
-    /// The places of everything that the elements declare.
+    /// Indices of everything that the elements declare.
     layout: Layout,
     form: Form,
-    /// The solver of the matrix form, which exists for plain numbers only.
+    /// Solver of the matrix form; it exists for plain numbers only.
     solve_matrices: Option<SolveMatrices<S>>,
     evaluation: EvaluationMode,
     links: LinkKinematics<S>,
@@ -56,37 +56,37 @@ pub struct Plant<S: Scalar = f64> {
     work: forward::Workspace<S>,
     inverse: InverseDynamics<S>,
     loops: LoopSolver<S>,
-    /// The outputs of the elements, one after another.
+    /// Outputs of the elements, one after another.
     outputs: Vec<S>,
-    /// Rates that elements prescribe with the accelerations; a stage does not need them.
+    /// Rates that elements prescribe together with the accelerations; a stage does not need them.
     prescribed_rates: Vec<S>,
-    /// Accelerations as working memory.
+    /// Working memory for accelerations.
     scratch: Vec<S>,
-    /// The state before an element changes it.
+    /// State before an element changes it.
     seen: State<S>,
-    /// Events that a response or a change from outside has caused.
+    /// Events caused by a response or by a change from outside.
     also: Vec<Watched>,
     rotation_rates: Vec<bool>,
-    /// Evaluations of the right-hand side so far.
+    /// Number of evaluations of the right-hand side.
     pub evaluations: u64,
     exact: Option<Exact<S>>,
 }
 
-/// Exact derivatives, which exist for plain numbers only.
+/// Exact derivatives; they exist for plain numbers only.
 #[derive(Clone, Debug)]
 struct Exact<S: Scalar> {
     tangent: Box<Tangent>,
     jacobian: DifferentiateExactly<S>,
 }
 
-/// Writes the derivatives for [`System::jacobian`], and returns how many plain evaluations they cost.
+/// Writes the derivatives for [`System::jacobian`], and returns their cost in plain evaluations.
 type DifferentiateExactly<S> = fn(&mut Tangent, base: &[S], xi: &[S], at: Stage<'_, S>, out: &mut Jacobian<S>) -> u64;
 
 /// Solves for the accelerations `v_dot` at q, v under the loads evaluated last.
 type SolveMatrices<S> = fn(&mut Plant<S>, q: &[S], v: &[S], v_dot: &mut [S]);
 
 impl<S: Scalar> Plant<S> {
-    /// A plant with its equations in the recursive form.
+    /// Creates a plant with its equations in the recursive form.
     pub fn new(model: Model<S>, world: World<S>, elements: Vec<AnyElement<S>>) -> Self {
         let turns = |node: &Node<S>| {
             let first = node.kind.quaternion().map_or(usize::MAX, |(_, rates)| rates);
@@ -122,27 +122,27 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
-    /// Steps the ledger's integrals, or leaves them out of s.
+    /// Chooses whether the integrals of the ledger are part of s.
     pub fn keep_ledger(&mut self, keeps: bool) {
         self.layout.ledger = if keeps { ledger::COUNT } else { 0 };
     }
 
-    /// Wires inputs to sampled outputs, each pair by their names.
+    /// Connects inputs to sampled outputs; each pair contains their names.
     pub fn connect(&mut self, wires: &[(String, String)]) {
         self.layout.connect(wires);
     }
 
-    /// The elements of the plant.
+    /// Returns the elements of the plant.
     pub fn elements(&self) -> &[AnyElement<S>] {
         &self.elements
     }
 
-    /// The places of everything that the elements declare.
+    /// Returns the indices of everything that the elements declare.
     pub fn layout(&self) -> &Layout {
         &self.layout
     }
 
-    /// Kinematics of the links and loads at a stage.
+    /// Evaluates the kinematics of the links and the loads at a stage.
     fn evaluate_loads(&mut self, at: Stage<'_, S>) {
         self.links.update(&self.model, at.q, at.v);
         let Self { model, world, links, elements, layout, evaluation, loads, prescribed_rates, .. } = self;
@@ -151,7 +151,7 @@ impl<S: Scalar> Plant<S> {
         for (i, element) in elements.iter_mut().enumerate() {
             element.loads(contexts.of(i), loads);
         }
-        // At rest prescribed motions are held.
+        // At rest, prescribed motions are held.
         if *evaluation == EvaluationMode::Running {
             for &i in &layout.prescribing {
                 elements[i].prescribe(world, contexts.shared.clock, prescribed_rates, &mut loads.acceleration);
@@ -162,7 +162,7 @@ impl<S: Scalar> Plant<S> {
         self.evaluate_restraints(at);
     }
 
-    /// Accelerations of all coordinates under the loads that were evaluated last.
+    /// Computes the accelerations of all coordinates under the loads of the last evaluation.
     fn accelerate(&mut self, q: &[S], v: &[S], v_dot: &mut [S]) {
         match self.solve_matrices {
             None => {
@@ -183,7 +183,7 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
-    /// An observation at a state, for the results.
+    /// Returns an observation at a state, for the results.
     pub fn observe(&mut self, at: Stage<'_, S>, extent: &ObservedPart, v_dot: &mut [S]) -> Observation<'_, S> {
         let totals = match extent {
             ObservedPart::Everything => self.observe_forces(at, v_dot),
@@ -205,7 +205,7 @@ impl<S: Scalar> Plant<S> {
         Observation { model, bodies, inverse, loops, outputs, totals }
     }
 
-    /// Accelerations and joint loads.
+    /// Computes accelerations and joint loads.
     fn observe_forces(&mut self, at: Stage<'_, S>, v_dot: &mut [S]) -> Totals<S> {
         self.evaluate_loads(at);
         self.accelerate(at.q, at.v, v_dot);
@@ -224,13 +224,14 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
-    /// Frames and twists of the bodies at a state.
+    /// Returns frames and twists of the bodies at a state.
     pub fn body_kinematics(&mut self, q: &[S], v: &[S]) -> &Kinematics<S> {
         self.bodies.update(&self.model.tree, q, v);
         &self.bodies
     }
 
-    /// Accelerations of all coordinates, with `tau` (by coordinate, N or N m) added to the plant's own loads.
+    /// Computes the accelerations of all coordinates, with `tau` (for each coordinate, N or N m) added to the
+    /// loads of the plant.
     pub fn acceleration(&mut self, at: Stage<'_, S>, tau: Option<&[S]>, v_dot: &mut [S]) {
         self.evaluate_loads(at);
         for (force, tau) in self.loads.force.iter_mut().zip(tau.unwrap_or_default()) {
@@ -239,7 +240,7 @@ impl<S: Scalar> Plant<S> {
         self.accelerate(at.q, at.v, v_dot);
     }
 
-    /// Gives prescribed coordinates their rate at the start of an interval; returns their accelerations.
+    /// Sets the rate of prescribed coordinates at the start of an interval; returns their accelerations.
     pub fn prescribe(&mut self, interval: Interval, v: &mut [S]) -> &[S] {
         let clock = Clock { time_s: interval.start_s, middle_s: interval.middle_s() };
         self.loads.acceleration.fill(S::ZERO);
@@ -249,12 +250,12 @@ impl<S: Scalar> Plant<S> {
         &self.loads.acceleration
     }
 
-    /// Before a step: forgets earlier evaluations.
+    /// Discards earlier evaluations before a step.
     pub fn begin_step(&mut self) {
         self.loops.forget_pivots();
     }
 
-    /// After a step: closes the loops again, and reports an error if that is not possible. Allocates nothing.
+    /// Closes the loops after a step, and returns an error if that is not possible. Allocates nothing.
     pub fn close_loops(&mut self, q: &mut [S], v: &mut [S]) -> Result<(), LoopFault> {
         if !self.constrains() {
             return Ok(());
@@ -262,7 +263,7 @@ impl<S: Scalar> Plant<S> {
         self.project(|solver, on| solver.close(on, q, v))
     }
 
-    /// Energy and momentum at a stage.
+    /// Returns energy and momentum at a stage.
     pub fn totals(&mut self, at: Stage<'_, S>) -> Totals<S> {
         self.links.update(&self.model, at.q, at.v);
         self.bodies.update(&self.model.tree, at.q, at.v);
@@ -284,7 +285,7 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
-    /// Rates of the ledger and of the elements' states, once accelerations are known.
+    /// Computes the rates of the ledger and of the elements' states, after the accelerations.
     fn rates_beside(&mut self, at: Stage<'_, S>, v_dot: &[S], s_dot: &mut [S]) {
         let (s_dot, of_elements) = s_dot.split_at_mut(self.layout.ledger);
         if !of_elements.is_empty() {
@@ -331,7 +332,7 @@ impl<S: Scalar> Plant<S> {
 }
 
 impl Plant {
-    /// Takes derivatives from the same plant over dual numbers, instead of from differences.
+    /// Uses exact derivatives, from the same plant over dual numbers, instead of differences.
     pub fn differentiate_with(&mut self, tangent: Tangent) {
         self.exact = Some(Exact { tangent: Box::new(tangent), jacobian: Tangent::jacobian });
     }
@@ -350,7 +351,7 @@ impl Plant {
         };
     }
 
-    /// The loads and the matrices of the method at a state.
+    /// Returns the loads and the matrices of the moving frame method at a state.
     pub fn matrices(&mut self, at: Stage<'_>) -> MovingFrame {
         self.evaluate_loads(at);
         let variation = match self.form {
@@ -360,13 +361,13 @@ impl Plant {
         MovingFrame::assemble(&self.model, at.q, at.v, &self.loads, variation)
     }
 
-    /// M* and J over the free coordinates at a state.
+    /// Returns M* and J over the free coordinates at a state.
     pub fn mass_and_constraints(&mut self, at: Stage<'_>) -> (DMatrix<f64>, DMatrix<f64>) {
         self.evaluate_loads(at);
         MovingFrame::mass_and_constraints(&self.model, at.q, at.v, &self.loads)
     }
 
-    /// Accelerations by the matrices; NaN if M* is singular.
+    /// Computes the accelerations from the matrices; NaN if M* is singular.
     fn solve(&mut self, q: &[f64], v: &[f64], variation: Variation, v_dot: &mut [f64]) {
         let matrices = MovingFrame::assemble(&self.model, q, v, &self.loads, variation);
         let given = |(mode, a): (&MotionType, &f64)| if *mode == MotionType::Prescribed { *a } else { 0.0 };
@@ -410,7 +411,7 @@ impl<S: Scalar> System<S> for Plant<S> {
         self.loops.reject();
     }
 
-    /// A loop that cannot be closed is reported after the step.
+    /// An error of a loop that cannot be closed is returned after the step.
     fn close(&mut self, q: &mut [S], v: &mut [S]) -> bool {
         let _ = self.close_loops(q, v);
         self.constrains()

@@ -38,10 +38,10 @@ pub struct Observation<'a, S = f64> {
 pub struct Totals<S = f64> {
     /// Kinetic energy with that of the added mass, J.
     pub kinetic_energy: S,
-    /// J.
+    /// Potential energy, J.
     pub potential_energy: S,
-    /// kg m/s, world.
+    /// Linear momentum, kg m/s, world.
     pub linear_momentum: Vector3<S>,
-    /// N m s about [`ledger::reference_point`](crate::ledger::reference_point), world.
+    /// Angular momentum, N m s, about [`ledger::reference_point`](crate::ledger::reference_point), world.
     pub angular_momentum: Vector3<S>,
 }

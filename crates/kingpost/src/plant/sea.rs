@@ -1,10 +1,10 @@
-//! The sea that a plant is in.
+//! Sea in which a plant moves.
 
 use super::Plant;
 use crate::scalar::Scalar;
 
 impl<S: Scalar> Plant<S> {
-    /// Sets another sea with the same frequencies and directions, also for the exact derivatives.
+    /// Replaces the amplitudes and phases of the waves, also for the exact derivatives.
     pub fn set_waves(&mut self, amplitudes_m: &[f64], phases_rad: &[f64]) {
         let constant = |numbers: &[f64]| numbers.iter().map(|number| S::constant(*number)).collect::<Vec<S>>();
         if let Some(waves) = &mut self.world.waves {
@@ -15,7 +15,7 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
-    /// Whether an element depends on the waves that it was built with.
+    /// Returns whether an element depends on the waves with which it was built.
     pub fn keeps_waves(&self) -> bool {
         self.elements.iter().any(|element| element.given_positions(&self.world, 0.0).is_some())
     }

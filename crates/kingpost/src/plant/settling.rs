@@ -1,4 +1,4 @@
-//! The actions of elements while an equilibrium is sought.
+//! Actions of elements during the search for an equilibrium.
 
 use super::Plant;
 use super::element_contexts::ElementContexts;
@@ -15,19 +15,19 @@ impl<S: Scalar> Plant<S> {
         }
     }
 
-    /// The trims of the elements that hold the model in place, in the order of the elements.
+    /// Returns the trims of the elements that hold the model in place, in the order of the elements.
     pub fn trims(&self) -> Vec<Vec<S>> {
         self.elements.iter().filter_map(|element| Some(element.settling()?.trim().to_vec())).collect()
     }
 
-    /// Sets these.
+    /// Sets the trims of the elements that hold the model in place.
     pub fn set_trims(&mut self, trims: &[Vec<S>]) {
         let settling = self.elements.iter_mut().filter_map(|element| element.settling_mut());
         settling.zip(trims).for_each(|(settling, trim)| settling.set_trim(trim));
     }
 
-    /// While an equilibrium is sought: transfers the holding forces to the elements' trims. Returns the largest
-    /// remaining deviation, m or rad.
+    /// Transfers the holding forces to the elements' trims, during the search for an equilibrium. Returns the
+    /// largest remaining deviation, m or rad.
     pub fn take_over(&mut self, q: &[S], v: &[S], s: &[S]) -> S {
         self.links.update(&self.model, q, v);
         let Self { model, world, links, layout, evaluation, elements, .. } = self;
@@ -45,8 +45,8 @@ impl<S: Scalar> Plant<S> {
         off
     }
 
-    /// While an equilibrium is sought: the first element that cannot give its holding force, and the utilisation that
-    /// it would need.
+    /// Returns, during the search for an equilibrium, the first element that cannot provide its holding
+    /// force, and the required utilisation.
     pub fn overloaded(&mut self, q: &[S], v: &[S], s: &[S]) -> Option<(String, S)> {
         self.links.update(&self.model, q, v);
         let at = at_rest(q, v, s);

@@ -6,16 +6,16 @@ use crate::integrate::{Interval, Jacobian, Sizes, Stage, System};
 use crate::model::MotionType;
 use crate::scalar::{Dual, Scalar};
 
-/// Directions that one evaluation carries.
+/// Number of directions in one evaluation.
 pub const DIRECTIONS: usize = 4;
 
-/// The dual number of this module.
+/// Dual number of this module.
 pub type Number = Dual<DIRECTIONS>;
 
 /// A variable of the right-hand side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Along {
-    /// The local coordinate of a coordinate of v.
+    /// Local coordinate of a coordinate of v.
     Position(usize),
     /// An entry of v.
     Velocity(usize),
@@ -25,7 +25,7 @@ pub enum Along {
     Input(usize),
 }
 
-/// A plant over dual numbers, with the working memory to differentiate it.
+/// A plant over dual numbers, with the working memory for differentiation.
 #[derive(Clone, Debug)]
 pub struct Tangent {
     plant: Plant<Number>,
@@ -44,7 +44,7 @@ pub struct Tangent {
 }
 
 impl Tangent {
-    /// Takes over a plant.
+    /// Creates the tangent of a plant.
     pub fn new(plant: Plant<Number>) -> Self {
         let Sizes { positions, velocities, extras, .. } = plant.sizes();
         let zeros = |n| vec![Number::ZERO; n];
@@ -62,7 +62,7 @@ impl Tangent {
         }
     }
 
-    /// Sets the purpose of the evaluations: [`Plant::set_evaluation_mode`].
+    /// Sets the purpose of the evaluations, like [`Plant::set_evaluation_mode`].
     pub fn set_evaluation_mode(&mut self, evaluation: EvaluationMode) {
         self.plant.set_evaluation_mode(evaluation);
     }
@@ -78,7 +78,8 @@ impl Tangent {
         self.plant.set_trims(&trims.iter().map(constant).collect::<Vec<_>>());
     }
 
-    /// Rates and accelerations that elements prescribe at the start of an interval, by coordinate of v; 0 for others.
+    /// Returns rates and accelerations that elements prescribe at the start of an interval, for each
+    /// coordinate of v; 0 for others.
     pub fn prescribed(&mut self, interval: Interval, coordinates: usize) -> (Vec<f64>, Vec<f64>) {
         let plain = |from: &[Number]| from.iter().map(|number| number.value).collect();
         let mut rates = vec![Number::ZERO; coordinates];
@@ -86,20 +87,20 @@ impl Tangent {
         (plain(&rates), plain(accelerations))
     }
 
-    /// Begins to watch the closed loops at q, as [`Plant::watch_loops`].
+    /// Starts to monitor the closed loops at q, like [`Plant::watch_loops`].
     pub fn watch_loops(&mut self, q: &[f64]) {
         self.q.iter_mut().zip(q).for_each(|(to, from)| *to = Number::constant(*from));
         self.v.fill(Number::ZERO);
         self.plant.watch_loops(&self.q, &self.v);
     }
 
-    /// The plant.
+    /// Returns the plant.
     pub fn plant(&self) -> &Plant<Number> {
         &self.plant
     }
 
-    /// Evaluates the rates at `q = retract(base, xi)` and `at`'s v, s, d, with derivatives along at
-    /// most [`DIRECTIONS`] directions; `at.q` is not read. Allocates nothing.
+    /// Evaluates the rates at `q = retract(base, xi)` and `at`'s v, s, d, with derivatives along at most
+    /// [`DIRECTIONS`] directions; `at.q` is not used. Allocates nothing.
     pub fn evaluate(&mut self, base: &[f64], xi: &[f64], at: Stage<'_>, along: &[Along]) {
         self.lift(base, xi, at, along);
         self.plant.dexp_inverse(&self.xi, &self.v, &mut self.xi_dot);
@@ -108,7 +109,8 @@ impl Tangent {
         self.plant.rates(stage, &mut self.v_dot, &mut self.s_dot);
     }
 
-    /// Passes an observation of the plant there, with the same derivatives, to `see`; returns its result.
+    /// Calls `see` with an observation of the plant at this state, with the same derivatives; returns its
+    /// result.
     pub fn observe<T>(
         &mut self,
         base: &[f64],
@@ -123,7 +125,7 @@ impl Tangent {
         see(stage, self.plant.observe(stage, &ObservedPart::Everything, &mut self.v_dot))
     }
 
-    /// The stage over dual numbers.
+    /// Returns the stage over dual numbers.
     fn lift(&mut self, base: &[f64], xi: &[f64], at: Stage<'_>, along: &[Along]) {
         let lift = |from: &[f64], to: &mut [Number]| {
             to.iter_mut().zip(from).for_each(|(to, from)| *to = Number::constant(*from));
@@ -145,8 +147,8 @@ impl Tangent {
         self.plant.retract(&self.base, &self.xi, &mut self.q);
     }
 
-    /// Writes the derivatives of the rates at `q = retract(base, xi)`; see [`System::jacobian`]. Returns how many plain
-    /// evaluations it costs: one plus one per direction, each time.
+    /// Writes the derivatives of the rates at `q = retract(base, xi)`; see [`System::jacobian`]. Returns
+    /// their cost in plain evaluations: one plus one per direction, for each evaluation.
     pub(super) fn jacobian(&mut self, base: &[f64], xi: &[f64], at: Stage<'_>, out: &mut Jacobian) -> u64 {
         let n = xi.len();
         let (rows, first) = (out.rows, out.passive);

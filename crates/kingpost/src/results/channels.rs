@@ -1,4 +1,4 @@
-//! The variables of the results, with their places in a row.
+//! Variables of the results, with their indices in a row.
 
 use super::{Sample, Table};
 use crate::elements::{Layout, Output, VectorFrame};
@@ -27,11 +27,11 @@ pub struct Channel {
     pub dims: Vec<String>,
     /// Labels along each dimension.
     pub labels: Vec<Vec<String>>,
-    /// The pattern of a column's name from its labels: `{body}.angular_velocity.{axis}`.
+    /// Pattern of the names of its columns, with its labels: `{body}.angular_velocity.{axis}`.
     pub column: String,
     /// Names of its columns in a flat table: `ship.angular_velocity.x`.
     pub columns: Vec<String>,
-    /// Whether it is an output of elements; else it belongs to the model or the ledger.
+    /// Whether it is an output of elements; otherwise it is a variable of the model or the ledger.
     pub of_elements: bool,
     /// First entry in a row.
     pub offset: usize,
@@ -42,21 +42,22 @@ pub struct Channel {
 /// The channels of a model and its elements, in the order of a row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Channels {
-    /// The channels, in order.
+    /// Channels in the order of a row.
     pub list: Vec<Channel>,
-    /// Place in a row of each number that the elements write.
+    /// Index in a row of each number that the elements write.
     places: Vec<usize>,
 }
 
 impl Channel {
-    /// Whether one of its entries is at a place in a row.
+    /// Returns whether the channel contains the entry with this index of a row.
     pub(super) fn holds(&self, place: usize) -> bool {
         (self.offset..self.offset + self.len).contains(&place)
     }
 }
 
 impl Channels {
-    /// The channels of a model and its elements: the model's, then those of the elements, then the ledger's.
+    /// Returns the channels of a model and its elements: the model's, then those of the elements, then the
+    /// ledger's.
     pub fn new<S: Scalar>(model: &Model<S>, layout: &Layout) -> Self {
         let mut channels = Self { list: Vec::new(), places: Vec::new() };
         Table::OF_MODEL.iter().for_each(|entry| channels.push(entry.channel(model)));
@@ -65,35 +66,37 @@ impl Channels {
         channels
     }
 
-    /// Entries in a row.
+    /// Returns the number of entries in a row.
     pub fn columns(&self) -> usize {
         self.list.last().map_or(0, |channel| channel.offset + channel.len)
     }
 
-    /// The place in a row of the column with this name.
+    /// Returns the index in a row of the column with this name.
     pub fn place(&self, column: &str) -> Option<usize> {
         self.list.iter().flat_map(|channel| &channel.columns).position(|name| name == column)
     }
 
-    /// The place in a row of a number that the elements write, in the order of writing.
+    /// Returns the index in a row of a number that the elements write, given its index in the order of
+    /// writing.
     pub fn place_of_output(&self, output: usize) -> usize {
         self.places[output]
     }
 
-    /// Returns which of the elements' numbers is at a place in a row; `None` if none is.
+    /// Returns the index, in the order of writing, of the elements' number at an index of a row; `None` if it
+    /// is not a number of an element.
     pub(super) fn output_at(&self, place: usize) -> Option<usize> {
         self.places.iter().position(|&of_output| of_output == place)
     }
 
     fn push(&mut self, channel: Channel) {
         let offset = self.columns();
-        // A model without loops, for example, has no channel for them.
+        // A model without loops, for example, has no channels of loops.
         if channel.len > 0 {
             self.list.push(Channel { offset, ..channel });
         }
     }
 
-    /// Outputs of one variable stand side by side, in the order of their elements.
+    /// Appends the channels of outputs; outputs of one variable are adjacent, in the order of their elements.
     fn push_outputs(&mut self, layout: &Layout) {
         let mut by_variable: IndexMap<&str, Vec<(usize, &Output)>> = IndexMap::new();
         let mut written = 0;
@@ -136,8 +139,9 @@ fn labels_of(outputs: &[&Output]) -> Vec<String> {
     outputs.iter().flat_map(|output| output.labels.clone()).collect()
 }
 
-/// For each dimension the longest list of labels of a variable. A variable that only some elements have, as the torque
-/// of drives when others have a force, gets a dimension of its own, because a dimension has one list of labels.
+/// Returns for each dimension the longest list of labels of its variables. A variable that only some elements
+/// have, such as the torque of drives when others have a force, gets a separate dimension, because a
+/// dimension has one list of labels.
 fn widest<'a>(by_variable: &IndexMap<&str, Vec<(usize, &'a Output)>>) -> IndexMap<&'a str, Vec<String>> {
     let mut widest: IndexMap<&str, Vec<String>> = IndexMap::new();
     for outputs in by_variable.values() {
@@ -150,7 +154,7 @@ fn widest<'a>(by_variable: &IndexMap<&str, Vec<(usize, &'a Output)>>) -> IndexMa
     widest
 }
 
-/// One channel for the outputs of one variable, along a dimension.
+/// Returns the channel of all outputs of one variable, along a dimension.
 fn channel_of(outputs: &[&Output], dimension: String) -> Channel {
     let one = outputs[0];
     let things = labels_of(outputs);
@@ -176,20 +180,20 @@ fn channel_of(outputs: &[&Output], dimension: String) -> Channel {
     }
 }
 
-/// The pattern of a column's name: the label of the element or body stands before the variable.
+/// Returns the pattern of a column's name: the label of the element or body precedes the variable.
 pub(super) fn column_by(variable: &str, dims: &[String], thing_leads: bool) -> String {
     let mut parts: Vec<String> = dims.iter().map(|dim| format!("{{{dim}}}")).collect();
     parts.insert(usize::from(thing_leads && !dims.is_empty()), variable.to_owned());
     parts.join(".")
 }
 
-/// The unit that all columns have.
+/// Returns the common unit of all columns; `None` if they differ.
 pub(super) fn common(units: &[&'static str]) -> Option<&'static str> {
     let (first, rest) = units.split_first()?;
     rest.iter().all(|unit| unit == first).then_some(*first)
 }
 
-/// The first words of a description, for the axis of a plot.
+/// Returns the first words of a description, for the axis of a plot.
 pub(super) fn short_name(description: &str) -> String {
     let ends = [",", ";", ":", " at its ", " where the hull "].into_iter().filter_map(|end| description.find(end));
     description[..ends.min().unwrap_or(description.len())].to_owned()

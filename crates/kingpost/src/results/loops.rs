@@ -1,17 +1,18 @@
-//! The forces and the errors of closed loops.
+//! Forces and errors of closed loops.
 
 use super::Sample;
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::spatial::Wrench;
 
-/// Names of the loops.
+/// Returns the names of the loops.
 pub(super) fn names<S: Scalar>(model: &Model<S>) -> Vec<String> {
     model.loops.iter().map(|closed| closed.name.clone()).collect()
 }
 
-/// The wrench that each loop puts on its second body, at the second attachment, in the axes of the
-/// first: `sum lambda W`. W is about the first attachment; its force goes through the second.
+/// Writes the wrench that each loop exerts on its second body, about the second attachment, in the axes of
+/// the first: `sum lambda W`. W is about the first attachment; the line of action of its force passes through
+/// the second.
 pub(super) fn reaction<S: Scalar>(x: &Sample<'_, S>, out: &mut Vec<S>) {
     let solver = x.observed.loops;
     let mut own = solver.rows().iter().zip(solver.multipliers());
@@ -25,7 +26,7 @@ pub(super) fn reaction<S: Scalar>(x: &Sample<'_, S>, out: &mut Vec<S>) {
     }
 }
 
-/// phi of each constraint.
+/// Writes phi of each constraint.
 pub(super) fn error<S: Scalar>(x: &Sample<'_, S>, out: &mut Vec<S>) {
     out.extend(x.observed.loops.rows().iter().map(|row| row.residual));
 }

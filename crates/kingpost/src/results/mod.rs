@@ -18,7 +18,7 @@ use crate::scalar::Scalar;
 use crate::spatial::{Frame, Quaternion, Twist, Vector3, Wrench, roll_pitch_yaw};
 use core::marker::PhantomData;
 
-/// Everything that a row is computed from.
+/// Inputs for the computation of a row.
 pub struct Sample<'a, S = f64> {
     /// Time, s.
     pub time_s: f64,
@@ -38,7 +38,7 @@ struct Entry<S> {
     unit: Unit,
     frame: VectorFrame,
     dims: &'static [Dimension],
-    /// Whether it depends on positions and velocities only.
+    /// Whether the channel depends on positions and velocities only.
     of_motion: bool,
     write: fn(&Sample<'_, S>, &mut Vec<S>),
 }
@@ -50,7 +50,7 @@ enum Dimension {
     Body,
     /// x, y, z.
     Axis,
-    /// w, x, y, z.
+    /// w, x, y, z of a unit quaternion.
     Quaternion,
     /// Coordinates of all joints except floating ones.
     Coordinate,
@@ -68,11 +68,11 @@ enum Dimension {
 
 enum Unit {
     Plain(&'static str),
-    /// The units of a force and a moment, by component.
+    /// Units of a force and a moment, for their components.
     Wrench,
-    /// The unit of a coordinate that turns, and of one that slides.
+    /// Units of a rotational and of a translational coordinate.
     Coordinate([&'static str; 2]),
-    /// The unit of a constraint on an angle, and on a length.
+    /// Units of a constraint on an angle and of one on a length.
     Constraint([&'static str; 2]),
 }
 
@@ -165,7 +165,8 @@ impl<S: Scalar> Entry<S> {
         self.dims.first().is_some_and(|dimension| dimension.names_things())
     }
 
-    /// Labels of bodies and elements stand before the variable, labels of components after it.
+    /// Returns the names of the columns: labels of bodies and elements precede the variable, labels of
+    /// components follow it.
     fn columns(&self, labels: &[Vec<String>]) -> Vec<String> {
         let leads = self.thing_leads();
         let mut columns = vec![if leads { String::new() } else { self.variable.to_owned() }];
@@ -224,7 +225,7 @@ impl Dimension {
 }
 
 impl Unit {
-    /// The unit of each column.
+    /// Returns the unit of each column.
     fn of_columns<S: Scalar>(&self, model: &Model<S>, columns: usize) -> Vec<&'static str> {
         match self {
             Plain(unit) => vec![unit; columns],
@@ -243,17 +244,17 @@ impl Unit {
     }
 }
 
-/// A coordinate of a joint that does not float.
+/// A coordinate of a joint that is not floating.
 struct JointCoordinate<'a, S> {
     node: &'a Node<S>,
-    /// The body whose joint it is.
+    /// The body of the joint.
     body: usize,
     /// Index in v.
     index: usize,
 }
 
 impl<S: Scalar> JointCoordinate<'_, S> {
-    /// `None` for a spherical joint's.
+    /// Rotation or translation; `None` for a spherical joint.
     fn motion(&self) -> Option<AxisMotion> {
         self.node.kind.axis_motion(self.index - self.node.velocities)
     }
@@ -338,7 +339,8 @@ fn momentum_error<S: Scalar>(x: &Sample<'_, S>) -> S {
     (x.observed.totals.angular_momentum - Vector3::from_slice(&x.s[ledger::ANGULAR_MOMENTUM..])).norm()
 }
 
-/// Smooth, so that it has derivatives: the root of both squares.
+/// Returns a smooth scale of energy, so that it has derivatives: the root of the sum of the squares of both
+/// energies.
 fn energy_scale<S: Scalar>(x: &Sample<'_, S>) -> S {
     Vector3::new(x.observed.totals.kinetic_energy, work_done(x), S::ZERO).norm()
 }

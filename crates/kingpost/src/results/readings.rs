@@ -1,4 +1,4 @@
-//! Some columns of the results, without the rest of a row.
+//! Selected columns of the results, without the rest of a row.
 
 use super::channels::Channels;
 use super::{Sample, Table};
@@ -6,7 +6,8 @@ use crate::elements::Layout;
 use crate::plant::ObservedPart;
 use crate::scalar::Scalar;
 
-/// Columns that are read at every step, and the observation that they need: a height needs no accelerations.
+/// Columns that are read at every step, and the part of an observation that they need: a height, for example,
+/// needs no accelerations.
 #[derive(Clone, Debug, Default)]
 pub struct Readings<S> {
     sources: Vec<Source>,
@@ -17,22 +18,22 @@ pub struct Readings<S> {
 /// The source of a column.
 #[derive(Clone, Copy, Debug)]
 enum Source {
-    /// An entry of the table of the model's channels, and which of its numbers.
+    /// A number of an entry in the table of the model's channels.
     Motion { entry: usize, number: usize },
-    /// Among the outputs of the observed elements.
+    /// An output of the observed elements.
     Element { output: usize },
-    /// A place in a row.
+    /// An entry of a row.
     Row { place: usize },
-    /// A state of an element, by its place before the end of s.
+    /// A state of an element, by its distance from the end of s.
     State { from_end: usize },
 }
 
-/// Value that a name stands for.
+/// Value to which a name refers.
 #[derive(Clone, Copy, Debug)]
 enum Named {
-    /// A place in a row.
+    /// An entry of a row.
     Column(usize),
-    /// A state of an element, by its place before the end of s.
+    /// A state of an element, by its distance from the end of s.
     State(usize),
 }
 
@@ -51,7 +52,8 @@ impl Named {
 }
 
 impl<S: Scalar> Readings<S> {
-    /// For these columns, or states of elements by their names; names that do not exist are left out.
+    /// Creates the readings of these columns, or of states of elements by their names; names that do not
+    /// exist are ignored.
     pub fn new(columns: &[String], channels: &Channels, layout: &Layout) -> Self {
         let named: Vec<Named> = columns.iter().filter_map(|column| Named::of(column, channels, layout)).collect();
         Self::of_motion(&named, channels, layout).unwrap_or_else(|| Self {
@@ -61,7 +63,7 @@ impl<S: Scalar> Readings<S> {
         })
     }
 
-    /// `None` if a column needs more than the motion and the outputs of elements.
+    /// Returns the readings if they need only the motion and the outputs of elements, otherwise `None`.
     fn of_motion(named: &[Named], channels: &Channels, layout: &Layout) -> Option<Self> {
         let writer = |named: &Named| match named {
             Named::Column(place) => Some(layout.writer(channels.output_at(*place)?)?.0),
@@ -86,17 +88,17 @@ impl<S: Scalar> Readings<S> {
         Some(Self { sources, extent: ObservedPart::MotionAnd(elements), row: Vec::new() })
     }
 
-    /// Whether there is nothing to read.
+    /// Returns whether there is nothing to read.
     pub fn is_empty(&self) -> bool {
         self.sources.is_empty()
     }
 
-    /// The part that an observation must contain.
+    /// Returns the part that an observation must contain.
     pub fn extent(&self) -> &ObservedPart {
         &self.extent
     }
 
-    /// Writes the columns of an observation of that extent, in their order.
+    /// Writes the columns, in their order, from an observation of this part.
     pub fn read(&mut self, sample: &Sample<'_, S>, channels: &Channels, out: &mut Vec<S>) {
         out.clear();
         let row = &mut self.row;

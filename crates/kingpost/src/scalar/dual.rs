@@ -14,7 +14,8 @@ use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 /// assert!((y.derivative[0] - (3.0 * 4.0 + 2.0_f64.cos())).abs() < 1e-15);
 /// ```
 ///
-/// Over another scalar it adds a derivative to those of that scalar: for example the rate in time of a dual number.
+/// Over another scalar, it adds derivatives to those that the scalar already has: for example the time
+/// derivative of a dual number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dual<const N: usize, S = f64> {
     /// The value.
@@ -24,23 +25,23 @@ pub struct Dual<const N: usize, S = f64> {
 }
 
 impl<const N: usize, S: Scalar> Dual<N, S> {
-    /// The number itself as the variable of direction `k`.
+    /// Returns the variable of direction `k` with this value: its derivative along `k` is 1.
     ///
     /// # Panics
-    /// When there is no direction `k`.
+    /// If there is no direction `k`.
     pub fn variable(value: S, k: usize) -> Self {
         let mut derivative = [S::ZERO; N];
         derivative[k] = S::ONE;
         Self { value, derivative }
     }
 
-    /// A constant: zero derivatives in all directions.
+    /// Returns a constant: all derivatives are zero.
     #[inline]
     pub fn still(value: S) -> Self {
         Self { value, derivative: [S::ZERO; N] }
     }
 
-    /// A function's value, with its slope.
+    /// Returns a function's value with its derivatives, from the slope of the function (chain rule).
     #[inline]
     fn chain(self, value: S, slope: S) -> Self {
         let mut derivative = self.derivative;
@@ -50,7 +51,8 @@ impl<const N: usize, S: Scalar> Dual<N, S> {
         Self { value, derivative }
     }
 
-    /// A function's value, with its slopes in both arguments.
+    /// Returns the value of a function of two arguments with its derivatives, from the slopes with respect to
+    /// both arguments.
     #[inline]
     fn combine(self, other: Self, value: S, slopes: [S; 2]) -> Self {
         let mut derivative = self.derivative;
@@ -163,7 +165,8 @@ impl<const N: usize, S: Scalar> Scalar for Dual<N, S> {
         self.combine(x, self.value.atan2(x.value), [x.value / square, -self.value / square])
     }
 
-    /// At zero the slope is infinite if the argument moves, and taken as zero if it is constant.
+    /// Returns the square root. At zero the derivative is infinite if the argument varies, and zero if it is
+    /// constant.
     #[inline]
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
@@ -228,7 +231,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// Every operation of the trait, smooth where x > 0.
+    /// Uses every operation of the trait, smooth where x > 0.
     fn formula<S: Scalar>(x: S, y: S) -> S {
         let (sin, cos) = (x * y).sin_cos();
         let angle = (sin + S::constant(2.0)).atan2(cos - y);
@@ -241,7 +244,7 @@ mod tests {
     }
 
     proptest! {
-        /// Central differences with step h err by the third derivative times h squared and by
+        /// The error of central differences with step h is the third derivative times h squared, plus
         /// rounding over h.
         #[test]
         fn derivatives_agree_with_central_differences(x in 0.2..3.0_f64, y in -0.9..0.15_f64) {
@@ -257,7 +260,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_a_number_stays_so_when_it_is_clipped() {
+    fn nan_stays_nan_when_clipped() {
         let nan = Dual::<1>::constant(f64::NAN);
         assert!(nan.clipped(Dual::constant(-1.0), Dual::ONE).value.is_nan());
         assert!(f64::NAN.clipped(-1.0, 1.0).is_nan());

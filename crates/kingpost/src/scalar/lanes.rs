@@ -8,8 +8,8 @@ use wide::f64x4;
 /// Number of runs that [`Lanes`] holds.
 pub const LANES: usize = 4;
 
-/// Independent numbers. Every operation is that of `f64` lane by lane, without fused multiplication, so each lane has
-/// the same bits as a run alone.
+/// Independent numbers. Every operation is that of `f64` lane by lane, without fused multiplication, so each
+/// lane is bitwise identical to a run alone.
 ///
 /// ```
 /// use kingpost::scalar::{Lanes, Scalar};
@@ -20,19 +20,19 @@ pub const LANES: usize = 4;
 pub struct Lanes(f64x4);
 
 impl Lanes {
-    /// One number per lane.
+    /// Creates a value from one number per lane.
     #[inline]
     pub fn new(numbers: [f64; LANES]) -> Self {
         Self(f64x4::new(numbers))
     }
 
-    /// The number of each lane.
+    /// Returns the number of each lane.
     #[inline]
     pub fn to_array(self) -> [f64; LANES] {
         self.0.to_array()
     }
 
-    /// A function of each lane's number.
+    /// Applies a function to each lane's number.
     #[inline(always)]
     fn by_lane(self, function: impl Fn(f64) -> f64) -> Self {
         let mut numbers = self.to_array();
@@ -42,7 +42,7 @@ impl Lanes {
         Self::new(numbers)
     }
 
-    /// Two functions of each lane's number.
+    /// Applies a function with two results to each lane's number.
     #[inline(always)]
     fn by_lane_both(self, functions: impl Fn(f64) -> (f64, f64)) -> (Self, Self) {
         let (mut first, mut second) = (self.to_array(), self.to_array());
@@ -197,7 +197,7 @@ impl Scalar for Lanes {
         core::array::from_fn(|i| Self::new(lanes.map(|numbers| numbers[i])))
     }
 
-    /// Where the lanes agree, only one side is evaluated.
+    /// If the lanes agree on the side, only this side is evaluated.
     #[inline]
     fn select_less(self, limit: Self, below: impl FnOnce() -> Self, above: impl FnOnce() -> Self) -> Self {
         let less = self.0.simd_lt(limit.0);
@@ -235,7 +235,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn every_lane_has_the_bits_that_it_would_have_alone(x: [f64; LANES], y: [f64; LANES]) {
+        fn every_lane_is_bitwise_identical_to_a_single_run(x: [f64; LANES], y: [f64; LANES]) {
             let together = formula(Lanes::new(x), Lanes::new(y)).to_array();
             for k in 0..LANES {
                 let alone = formula(x[k], y[k]);

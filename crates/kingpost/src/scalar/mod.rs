@@ -1,8 +1,9 @@
-//! The scalar trait for everything that derivatives or SIMD lanes pass through.
+//! Scalar trait for all code that is evaluated with derivatives or in SIMD lanes.
 //!
-//! The folders from [`spatial`](crate::spatial) to [`simulation`](crate::simulation) are generic over [`Scalar`]. `f64`
-//! is the usual choice, [`Dual`] carries exact derivatives, and [`Lanes`] holds several runs. Transcendental functions
-//! are the pure-Rust `libm`'s or our own on every target, so native and WASM runs give the same bits.
+//! The folders from [`spatial`](crate::spatial) to [`simulation`](crate::simulation) are generic over
+//! [`Scalar`]. `f64` is the usual choice, [`Dual`] carries exact derivatives, and [`Lanes`] holds several
+//! runs. Transcendental functions are those of the pure-Rust `libm` or of this module on every target, so
+//! native and WASM runs are bitwise identical.
 
 mod dual;
 mod lanes;
@@ -15,7 +16,7 @@ pub use lanes::{LANES, Lanes};
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-/// A real number that the mechanics can be computed with.
+/// A real number with which the mechanics can be computed.
 pub trait Scalar:
     Copy
     + Debug
@@ -34,61 +35,63 @@ pub trait Scalar:
 {
     /// Number of lanes.
     const LANES: usize = 1;
-    /// Whether it carries derivatives.
+    /// Whether the type carries derivatives.
     const HAS_DERIVATIVES: bool = false;
     /// Additive identity.
     const ZERO: Self;
     /// Multiplicative identity.
     const ONE: Self;
 
-    /// The constant `value`, with no derivative, the same in every lane.
+    /// Returns the constant `value`, with zero derivatives, equal in every lane.
     fn constant(value: f64) -> Self;
-    /// The plain value, derivatives dropped; of several lanes the first. Only for decisions that
-    /// all lanes share, and for showing.
+    /// Returns the plain value without derivatives; the first of several lanes. Only for decisions that all
+    /// lanes share, and for display.
     fn value(self) -> f64;
-    /// Sine and cosine of an angle in radians.
+    /// Returns sine and cosine of an angle in radians.
     fn sin_cos(self) -> (Self, Self);
-    /// Sine and cosine of an angle in turns of 2 pi rad, to about 2e-16 and much faster than
+    /// Returns sine and cosine of an angle in turns of 2 pi rad, to about 2e-16 and much faster than
     /// [`sin_cos`](Self::sin_cos): for sums of many waves.
     fn sin_cos_of_turns(self) -> (Self, Self);
-    /// Only the cosine of an angle in turns of 2 pi rad, to about 3e-16, for half the cost of both.
+    /// Returns the cosine of an angle in turns of 2 pi rad, to about 3e-16, at half the cost of
+    /// [`sin_cos_of_turns`](Self::sin_cos_of_turns).
     fn cos_of_turns(self) -> Self;
-    /// 2 to this power, which must be below 1023, to a relative error of about 4e-16 and much faster than
-    /// [`exp`](Self::exp): for sums of many waves. For powers below -1022, the smallest normal number.
+    /// Returns 2 to the power of this number, which must be below 1023, to a relative error of about 4e-16
+    /// and much faster than [`exp`](Self::exp): for sums of many waves. For powers below -1022 it is the
+    /// smallest normal number.
     fn power_of_two(self) -> Self;
-    /// The angle of the point (`x`, `self`), radians in (-pi, pi].
+    /// Returns the angle of the point (`x`, `self`), radians in (-pi, pi].
     fn atan2(self, x: Self) -> Self;
-    /// Square root; the argument must not be negative.
+    /// Returns the square root; the argument must not be negative.
     fn sqrt(self) -> Self;
-    /// The exponential.
+    /// Returns the exponential.
     fn exp(self) -> Self;
-    /// log(1 + self), exact to rounding near 0; `self` must be greater than -1.
+    /// Returns log(1 + self), exact to rounding near 0; `self` must be greater than -1.
     fn ln_1p(self) -> Self;
-    /// exp(self) - 1, exact to rounding near 0.
+    /// Returns exp(self) - 1, exact to rounding near 0.
     fn exp_m1(self) -> Self;
-    /// The natural logarithm; `self` must be greater than 0.
+    /// Returns the natural logarithm; `self` must be greater than 0.
     fn ln(self) -> Self;
-    /// `self` to a power; `self` must be greater than 0.
+    /// Returns `self` to a power; `self` must be greater than 0.
     fn pow(self, exponent: Self) -> Self;
-    /// Applies a function of plain numbers, lane by lane, without derivatives: for the result of an iteration before
-    /// its last step, which carries the derivatives.
+    /// Applies a function of plain numbers, lane by lane, without derivatives: for an iteration whose last
+    /// step adds the derivatives.
     fn from_values<const N: usize, const M: usize>(
         arguments: [Self; N],
         function: &dyn Fn([f64; N]) -> [f64; M],
     ) -> [Self; M];
-    /// `below()` where `self < limit`, otherwise `above()`, also if `self` is NaN. A scalar of several lanes may
-    /// evaluate both, so both must be free of side effects.
+    /// Returns `below()` if `self < limit`, otherwise `above()`, also if `self` is NaN. A scalar with several
+    /// lanes can evaluate both, so both must be free of side effects.
     fn select_less(self, limit: Self, below: impl FnOnce() -> Self, above: impl FnOnce() -> Self) -> Self;
-    /// Whether `test` holds for the value, in every lane.
+    /// Returns whether `test` holds for the value in every lane.
     fn all(self, test: impl Fn(f64) -> bool) -> bool;
 
-    /// [`select_less`](Self::select_less) against a constant.
+    /// Compares with a constant like [`select_less`](Self::select_less).
     #[inline]
     fn select_below(self, limit: f64, below: impl FnOnce() -> Self, above: impl FnOnce() -> Self) -> Self {
         self.select_less(Self::constant(limit), below, above)
     }
 
-    /// The number between `lower` and `upper` that is nearest; NaN stays NaN.
+    /// Returns the number between `lower` and `upper` that is nearest to this one; NaN stays NaN.
     #[inline]
     fn clipped(self, lower: Self, upper: Self) -> Self {
         upper.select_less(self, || upper, || self.select_less(lower, || lower, || self))
@@ -136,8 +139,8 @@ impl Scalar for f64 {
 
     #[inline]
     fn sqrt(self) -> Self {
-        // Correctly rounded everywhere, so the bits equal those of libm, which computes it with integers although WASM
-        // has an instruction.
+        // The instruction rounds correctly on every target, so the result is bitwise identical to that of
+        // libm, which computes it with integers on WASM although WASM has the instruction.
         f64::sqrt(self)
     }
 

@@ -1,7 +1,7 @@
 //! Sine and cosine of an angle in turns, and powers of two, for sums of many waves.
 //!
-//! Without branches, so that a loop over many waves becomes SIMD code, and with the four basic operations only, so that
-//! the bits are the same on every machine.
+//! The functions have no branches, so that a loop over many waves becomes SIMD code. They use only the four
+//! basic operations, so the result is bitwise identical on every machine.
 
 use super::Scalar;
 use core::f64::consts::{PI, TAU};
@@ -12,10 +12,11 @@ pub(super) const ROUNDING: f64 = 6_755_399_441_055_744.0;
 /// 1.5 * 2^51: a number added to it is rounded to the nearest half, and its last bits hold the number of halves.
 const ROUNDING_TO_HALVES: f64 = 0.5 * ROUNDING;
 
-/// Sine and cosine of 2 pi times a number, to 2 units in the last place of 1.
+/// Returns sine and cosine of 2 pi times a number, to 2 units in the last place of 1.
 ///
-/// With n the whole number nearest to four times the argument, the remainder is at most an eighth of a turn and exact,
-/// whatever the number of turns. The polynomials are those of the fdlibm's k_sin.c and k_cos.c (Sun Microsystems 1993).
+/// With n the whole number nearest to four times the argument, the remainder is at most an eighth of a turn
+/// and exact, whatever the number of turns. The polynomials are those of fdlibm's k_sin.c and k_cos.c (Sun
+/// Microsystems 1993).
 #[inline(always)]
 pub(super) fn sin_cos_of_turns(turns: f64) -> (f64, f64) {
     let quarters = 4.0 * turns + ROUNDING;
@@ -30,7 +31,8 @@ pub(super) fn sin_cos_of_turns(turns: f64) -> (f64, f64) {
     (f64::from_bits(sine), f64::from_bits(cosine))
 }
 
-/// The cosine of 2 pi times a number, to 3 units in the last place of 1, for half the cost of both.
+/// Returns the cosine of 2 pi times a number, to 3 units in the last place of 1, at half the cost of
+/// [`sin_cos_of_turns`].
 ///
 /// The remainder after half turns is at most a quarter of a turn r, and cos 2 pi r = 1 - 2 sin^2 pi r.
 #[inline(always)]
@@ -41,7 +43,7 @@ pub(super) fn cos_of_turns(turns: f64) -> f64 {
     f64::from_bits(cosine.to_bits() ^ (halves.to_bits() << 63))
 }
 
-/// 2 to a power below 1023, to 2 units in the last place; 2^-1022 for powers below -1022.
+/// Returns 2 to a power below 1023, to 2 units in the last place; 2^-1022 for powers below -1022.
 ///
 /// With n the whole number nearest to the power, the remainder is at most a half and exact; 2 to the remainder is the
 /// rational function of the Cephes library's exp2.c (S. L. Moshier, *Methods and Programs for Mathematical Functions*,
@@ -61,7 +63,7 @@ pub(super) fn power_of_two(power: f64) -> f64 {
     (1.0 + 2.0 * (p / (q - p))) * scale
 }
 
-/// The sine of an angle from -pi/4 to pi/4.
+/// Returns the sine of an angle from -pi/4 to pi/4.
 #[inline(always)]
 pub(super) fn sine<S: Scalar>(x: S) -> S {
     const COEFFICIENTS: [f64; 6] = [
@@ -76,7 +78,7 @@ pub(super) fn sine<S: Scalar>(x: S) -> S {
     x + x * z * polynomial(COEFFICIENTS, z)
 }
 
-/// The cosine of an angle from -pi/4 to pi/4.
+/// Returns the cosine of an angle from -pi/4 to pi/4.
 #[inline(always)]
 pub(super) fn cosine<S: Scalar>(x: S) -> S {
     const COEFFICIENTS: [f64; 6] = [
@@ -94,7 +96,7 @@ pub(super) fn cosine<S: Scalar>(x: S) -> S {
     near + (((S::ONE - near) - half) + z * rest)
 }
 
-/// `c0 + z (c1 + z (c2 + ...))`.
+/// Returns `c0 + z (c1 + z (c2 + ...))`.
 #[inline(always)]
 fn polynomial<S: Scalar>(coefficients: [f64; 6], z: S) -> S {
     let c = |k: usize| S::constant(coefficients[k]);
@@ -107,8 +109,8 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// Against libm at the angle that is left after whole turns, which is exact in both; 2 pi
-        /// times it is rounded by half a unit, at most 2e-16 rad.
+        /// Comparison with libm for the angle that remains after whole turns, which is exact in both;
+        /// multiplied by 2 pi it has a rounding error of half a unit, at most 2e-16 rad.
         #[test]
         fn sine_and_cosine_are_those_of_libm(turns in -1e6..1e6_f64) {
             let (sin, cos) = sin_cos_of_turns(turns);
@@ -117,7 +119,7 @@ mod tests {
             prop_assert!((cos_of_turns(turns) - exact_cos).abs() < 1e-15);
         }
 
-        /// Against libm, whose own error is below one unit in the last place.
+        /// Comparison with libm, whose error is below one unit in the last place.
         #[test]
         fn powers_of_two_are_those_of_libm(power in -1021.0..1022.9_f64) {
             prop_assert!((power_of_two(power) / libm::exp2(power) - 1.0).abs() < 6e-16);
@@ -151,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_finite_has_no_sine() {
+    fn an_angle_that_is_not_finite_has_no_sine() {
         for turns in [f64::NAN, f64::INFINITY] {
             let (sin, cos) = sin_cos_of_turns(turns);
             assert!(sin.is_nan() && cos.is_nan() && cos_of_turns(turns).is_nan());

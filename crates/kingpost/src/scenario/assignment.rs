@@ -1,12 +1,12 @@
-//! `name=value` on the command line.
+//! Assignments `name=value` on the command line.
 
 use serde_json::{Number, Value};
 
 use super::error::{Fault, ScenarioError, SourcePlace};
 use super::wording;
 
-/// The name and the value of `name=value`. `on`, `true`, `off` and `false` are booleans, numbers are numbers, a list of
-/// numbers may be written `[1, 2, 3]`; everything else is text.
+/// Parses `name=value` into the name and the value. `on`, `true`, `off` and `false` are booleans; numbers,
+/// and lists of numbers such as `[1, 2, 3]`, are read as such; any other value is text.
 ///
 /// # Errors
 /// No `=`, no name before it, or a number that is not finite.
@@ -32,7 +32,7 @@ pub fn parse_assignment(text: &str) -> Result<(String, Value), ScenarioError> {
     Ok((name.to_owned(), value))
 }
 
-/// The number in a text; null if it is not finite.
+/// Returns the number in a text; null if it is not finite.
 fn number(text: &str) -> Option<Value> {
     let whole = text.parse::<i64>().map(Value::from).or_else(|_| text.parse::<u64>().map(Value::from));
     let number = || text.parse::<f64>().map(|number| Number::from_f64(number).map_or(Value::Null, Value::Number));

@@ -1,4 +1,4 @@
-//! A scenario with the setup that its check made.
+//! A scenario together with its setup.
 
 use std::sync::OnceLock;
 
@@ -12,8 +12,8 @@ use super::schema::Scenario;
 use crate::plant::Number;
 use crate::simulation::{Setup, Simulation};
 
-/// A scenario that is read and built once, for all that is made of it: simulations, its description, hydrostatics and
-/// analyses. None of them changes it, or another of them.
+/// A scenario that is read and built once, and from which simulations, the description, hydrostatics and
+/// analyses are made. They do not change it and do not affect each other.
 ///
 /// ```
 /// use kingpost::scenario::{BuiltScenario, Files};
@@ -29,14 +29,15 @@ use crate::simulation::{Setup, Simulation};
 pub struct BuiltScenario {
     scenario: Scenario,
     setup: Setup,
-    /// The setup over dual numbers, once something has asked for it.
+    /// Setup over dual numbers; built at first use.
     dual: OnceLock<Setup<Number>>,
-    /// The description, once something has asked for it.
+    /// Description; made at first use.
     description: OnceLock<Description>,
 }
 
 impl BuiltScenario {
-    /// Reads a scenario as [`read_with`](super::read_with), and keeps the setup that validates it.
+    /// Reads a scenario like [`read_with`](super::read_with), and keeps the setup that it builds for
+    /// validation.
     ///
     /// # Errors
     /// Fails where [`read_with`](super::read_with) does.
@@ -49,17 +50,17 @@ impl BuiltScenario {
         Self { scenario, setup, dual: OnceLock::new(), description: OnceLock::new() }
     }
 
-    /// The scenario.
+    /// Returns the scenario.
     pub fn scenario(&self) -> &Scenario {
         &self.scenario
     }
 
-    /// Its setup.
+    /// Returns the setup.
     pub fn setup(&self) -> &Setup {
         &self.setup
     }
 
-    /// Its setup over dual numbers, all of them constant.
+    /// Returns the setup over dual numbers, all of them constant.
     ///
     /// # Errors
     /// Fails where [`Scenario::setup_over`] does.
@@ -71,7 +72,7 @@ impl BuiltScenario {
         Ok(self.dual.get_or_init(|| made))
     }
 
-    /// A simulation at time 0, as [`Scenario::simulation`].
+    /// Returns a simulation at time 0, like [`Scenario::simulation`].
     ///
     /// # Errors
     /// Fails where [`Scenario::simulation`] does.
@@ -85,14 +86,14 @@ impl BuiltScenario {
         Ok(simulation)
     }
 
-    /// The description, as [`Scenario::describe`].
+    /// Returns the description, like [`Scenario::describe`].
     pub fn describe(&self) -> &Description {
         self.description.get_or_init(|| self.scenario.description_of(&self.setup))
     }
 }
 
 impl Scenario {
-    /// The scenario with its setup.
+    /// Returns the scenario with its setup.
     ///
     /// # Errors
     /// Fails where [`setup`](Self::setup) does.

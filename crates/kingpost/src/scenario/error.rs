@@ -7,7 +7,7 @@ use thiserror::Error;
 
 use super::{part_names, wording};
 
-/// Characters of a name, and of what was found, that an error shows.
+/// Largest number of characters of a name, and of the found value, in an error.
 const LONGEST_NAME: usize = 200;
 const LONGEST_FOUND: usize = 500;
 
@@ -24,7 +24,8 @@ pub struct FieldError {
 }
 
 impl FieldError {
-    /// An error of this field. A blank text is shown in quotes, a number with many zeros by its power of ten.
+    /// Creates an error of a field. A blank text is shown in quotes, a number with many zeros as a power of
+    /// ten.
     pub fn new(field: impl Into<String>, found: impl ToString, allowed: impl Into<String>) -> Self {
         let found = found.to_string();
         let found = if found.trim().is_empty() { wording::quoted(&found) } else { wording::with_powers(&found) };
@@ -80,28 +81,28 @@ impl From<FieldError> for ScenarioError {
 
 const SET: &str = "--set ";
 
-/// Where a value comes from.
+/// Source of a value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum SourcePlace {
-    /// The file.
+    /// The main file.
     File {
-        /// From 1.
+        /// Line, from 1.
         line: usize,
-        /// From 1, in characters.
+        /// Column, from 1, in characters.
         column: usize,
     },
     /// The file of a part.
     Part {
-        /// The file's name from the main file's folder, or in the gallery.
+        /// Path of the file, relative to the main file's folder, or its name in the gallery.
         file: Arc<str>,
-        /// The prefix of the part's names in the whole.
+        /// Prefix of the part's names in the whole scenario.
         prefix: Arc<str>,
-        /// From 1.
+        /// Line, from 1.
         line: usize,
-        /// From 1, in characters.
+        /// Column, from 1, in characters.
         column: usize,
     },
-    /// A value set from outside under this name.
+    /// Set from outside, under this name.
     Set(String),
 }
 
@@ -109,7 +110,7 @@ impl SourcePlace {
     pub(super) const START: Self = Self::File { line: 1, column: 1 };
 }
 
-/// A field error and its place; the file's name is added last.
+/// An error of a field and its place; the name of the file is added last.
 #[derive(Clone, Debug)]
 pub(super) struct Fault {
     pub(super) place: SourcePlace,

@@ -1,12 +1,12 @@
-//! Finds the fields that a person means who writes a field's name without its path.
+//! Search for the full path of a field, for errors about a field's name without its path.
 
 use serde_json::Value;
 
-/// More places than these are not named: the name alone says too little.
+/// Largest number of paths that are suggested: if more fields have the name, none is suggested.
 const MOST_PLACES: usize = 3;
 
-/// Paths of the fields with this name, with or without its unit: `duration` finds `simulation.duration_s`. None if
-/// there are too many.
+/// Returns the paths of the fields with this name, with or without its unit: `duration` finds
+/// `simulation.duration_s`. Empty if there are too many.
 pub(super) fn paths_of(whole: &Value, name: &str) -> Vec<String> {
     let mut found = Vec::new();
     if !name.is_empty() {

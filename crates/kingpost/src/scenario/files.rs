@@ -1,4 +1,4 @@
-//! Files that a scenario names: their texts come from the host, because the engine reads no files.
+//! Files that a scenario names: the host provides their texts, because the engine reads no files.
 
 use super::error::FieldError;
 use super::named_files::NamedFiles;
@@ -39,7 +39,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// # Ok::<(), kingpost::scenario::ScenarioError>(())
 /// ```
 pub trait Host: fmt::Debug + Send + Sync {
-    /// The text of a file, if it exists.
+    /// Returns the text of a file, if it exists.
     fn text(&self, name: &str) -> Option<Cow<'_, str>>;
 }
 
@@ -50,7 +50,7 @@ impl Host for IndexMap<String, String> {
     }
 }
 
-/// The files of a host. A hydrodynamic database is read once.
+/// The files of a host. Each hydrodynamic database is read only once.
 #[derive(Debug)]
 pub struct Files {
     host: Box<dyn Host>,
@@ -65,28 +65,28 @@ impl Default for Files {
 }
 
 impl Files {
-    /// Files with these texts.
+    /// Creates files from their texts.
     pub fn new(texts: impl IntoIterator<Item = (String, String)>) -> Self {
         Self::of(texts.into_iter().collect::<IndexMap<_, _>>())
     }
 
-    /// The files of a host.
+    /// Creates files from a host.
     pub fn of(host: impl Host + 'static) -> Self {
         Self { host: Box::new(host), digests: Mutex::default(), databases: Mutex::default() }
     }
 
-    /// The text of a file of this name.
+    /// Returns the text of the file with this name.
     pub(super) fn text_of(&self, name: &str) -> Option<Cow<'_, str>> {
         self.host.text(name)
     }
 
-    /// The text of the file that `field` names; `what` says what it should be.
+    /// Returns the text of the file that `field` names; `what` describes the expected content.
     fn text(&self, field: &str, name: &str, what: &str) -> Result<Cow<'_, str>, FieldError> {
         let text = self.host.text(name);
         text.ok_or_else(|| FieldError::new(field, format!("no file {name}"), format!("{what} that exists")))
     }
 
-    /// A digest of the text: equal only for equal texts.
+    /// Returns a digest of the text: equal only for equal texts.
     fn digest(&self, name: &str) -> u64 {
         let mut known = self.digests.lock().unwrap_or_else(PoisonError::into_inner);
         let of_text = || self.text_of(name).map_or(0, |text| digest(text.as_bytes()));
@@ -125,25 +125,25 @@ impl Files {
 }
 
 impl Scenario {
-    /// The water on the hull of a force of this name.
+    /// Returns the hydrodynamic data of the force with this name.
     pub(crate) fn hydrodynamics(&self, force: &str) -> Option<&Hydrodynamics> {
         let (_, force) = self.forces.iter().find(|(name, _)| name.as_str() == force)?;
         if let Force::Hydrodynamics(given) = force { Some(given) } else { None }
     }
 
-    /// The database of that hull.
+    /// Returns the database of the force with this name.
     pub(crate) fn database_of(&self, force: &str) -> Option<&Database> {
         self.files.database(&self.hydrodynamics(force)?.database).map(|database| &**database)
     }
 
-    /// Names of the files that it uses, in its order, each once.
+    /// Returns the names of the files that the scenario uses, in order, each once.
     pub fn file_names(&self) -> Vec<String> {
         let names: IndexSet<String> = self.file_fields().into_iter().map(|(_, name, _)| name).collect();
         names.into_iter().collect()
     }
 
-    /// A digest that is equal only for scenarios that, with their files, describe the same run; title, description and
-    /// parameters do not count.
+    /// Returns a digest that is equal only for scenarios that, with their files, describe the same run;
+    /// title, description and parameters do not count.
     pub(super) fn fingerprint(&self) -> u64 {
         let Self {
             simulation,
@@ -177,7 +177,7 @@ impl Scenario {
         serde_json::to_vec(&run).map_or(0, |text| digest(&text))
     }
 
-    /// Loads the files that it names.
+    /// Loads the files that the scenario names.
     pub(super) fn take_files(&mut self, files: &Files) -> Result<(), FieldError> {
         let mut taken = NamedFiles::default();
         for (field, name, kind) in self.file_fields() {
@@ -193,7 +193,7 @@ impl Scenario {
         Ok(())
     }
 
-    /// Fields of enabled entries that name files, the names, and their contents.
+    /// Returns the fields of enabled entries that name files, the names, and the kinds of content.
     fn file_fields(&self) -> Vec<(String, String, FileKind)> {
         let mut found = Vec::new();
         walk(&self.to_value(), &mut Vec::new(), &mut found);

@@ -13,14 +13,15 @@ use crate::dynamics::moving_frame::Equations;
 use crate::elements::{DrawnLine, Input, Warning};
 use crate::results::Channel;
 
-/// The JSON Schema of a scenario, unit aliases included: each is a property in addition to its SI name, marked `x-alias-of`.
+/// Returns the JSON Schema of a scenario, unit aliases included: each is a property in addition to its SI
+/// name, marked `x-alias-of`.
 pub fn json_schema() -> Value {
     let mut schema = schema_for!(Scenario);
     UnitAliases.transform(&mut schema);
     schema.to_value()
 }
 
-/// The JSON Schema of a study.
+/// Returns the JSON Schema of a study.
 pub fn study_schema() -> Value {
     schema_for!(Study).to_value()
 }
@@ -36,18 +37,18 @@ struct Published {
     warnings: Vec<Warning>,
 }
 
-/// The JSON Schema of what the engine says of a scenario: its model, channels, lines to draw and inputs, and the
-/// warnings of a run.
+/// Returns the JSON Schema of the types that describe a scenario and its run: model, channels, lines to draw,
+/// inputs and warnings.
 pub fn published_schema() -> Value {
     published::<Published>()
 }
 
-/// The JSON Schema of the equations of the moving frame method.
+/// Returns the JSON Schema of the equations of the moving frame method.
 pub fn equations_schema() -> Value {
     published::<Equations>()
 }
 
-/// The JSON Schema of a type that the engine writes.
+/// Returns the JSON Schema of a type that the engine writes.
 pub(crate) fn published<T: schemars::JsonSchema>() -> Value {
     let settings = SchemaSettings::draft2020_12().for_serialize();
     settings.into_generator().into_root_schema_for::<T>().to_value()
@@ -86,7 +87,8 @@ fn aliased(property: &Value, name: &str) -> Value {
     copy
 }
 
-/// At most one of an SI name and its aliases may be given; exactly one where the field is required.
+/// Adds the rule that at most one of an SI name and its aliases is given; exactly one if the field is
+/// required.
 fn exclude_both(object: &mut Map<String, Value>, written: &[(String, Vec<String>)]) {
     let mut rules = Vec::new();
     for (name, aliases) in written {

@@ -1,4 +1,4 @@
-//! The types that a number of a scenario can be read as: a plain number, the numbers of several runs, or a number with
+//! Types of a number in a scenario: a plain number, the numbers of several runs, or a number with
 //! derivatives.
 
 use std::fmt::{self, Debug, Display};
@@ -6,14 +6,14 @@ use std::fmt::{self, Debug, Display};
 use super::error::FieldError;
 use crate::scalar::{Dual, LANES, Lanes, Scalar};
 
-/// A continuous number of a scenario. The types of a scenario are generic over it; numbers that decide the structure of
-/// a run (steps, seeds, switching times, grids of tables) are plain.
+/// A continuous number of a scenario. The types of a scenario are generic over it; numbers that determine the
+/// structure of a run (steps, seeds, switching times, grids of tables) are plain.
 ///
 /// The numbers of a file are `f64`; [`OverScalar`](super::over::OverScalar) converts them.
 pub trait Leaf: Copy + Debug + Default + PartialEq + 'static {
-    /// A default from the source code.
+    /// Returns a default value from the source code.
     fn literal(value: f64) -> Self;
-    /// A value that is outside its range, if there is one.
+    /// Returns the value if it is outside its range.
     fn outside(self, inside: impl Fn(f64) -> bool) -> Option<f64>;
 }
 
@@ -24,19 +24,20 @@ pub trait Described: Leaf + super::writing::ToValue + serde::Serialize + schemar
 #[cfg(feature = "schema")]
 impl Described for f64 {}
 
-/// A leaf from which a model can be built. A builder computes with all its lanes and derivatives: only the functions
-/// here give a plain number, and they fail if that would lose something.
+/// A scenario number from which a model can be built. The builder computes with all lanes and derivatives:
+/// only the functions of this trait return a plain number, and they fail if lanes or derivatives would be
+/// lost.
 pub trait Quantity: Leaf + Scalar + Display {
-    /// Number of scenarios that it holds.
+    /// Number of scenarios whose values it holds.
     const SCENARIOS: usize;
 
-    /// From the number in each of the scenarios; without derivatives.
+    /// Creates the value from the number in each scenario, without derivatives.
     fn of_each(number: impl Fn(usize) -> f64) -> Self;
 
-    /// The value if all lanes are equal, and whether it has no derivative.
+    /// Returns the value if all lanes are equal, and whether it has no derivative.
     fn shared(self) -> (Option<f64>, bool);
 
-    /// The plain number, for quantities that are plain in the engine.
+    /// Returns the plain number, for quantities that are plain in the engine.
     ///
     /// # Errors
     /// Lanes that differ, or a derivative.
@@ -47,7 +48,8 @@ pub trait Quantity: Leaf + Scalar + Display {
         }
     }
 
-    /// The plain number, and the factor, 1, that carries its derivatives: for quantities proportional to it.
+    /// Returns the plain number, and a factor of 1 that carries its derivatives: for quantities proportional
+    /// to it.
     ///
     /// # Errors
     /// Lanes that differ.
@@ -56,10 +58,10 @@ pub trait Quantity: Leaf + Scalar + Display {
         Ok((value, if value == 0.0 { Self::ONE } else { self / Self::constant(value) }))
     }
 
-    /// Whether a test holds: all lanes must give the same answer.
+    /// Returns whether a test holds: the answer must be the same in all lanes.
     ///
     /// # Errors
-    /// It holds in some lanes and not in others.
+    /// The test holds in some lanes and not in others.
     fn decides(self, field: &str, test: impl Fn(f64) -> bool) -> Result<bool, FieldError> {
         match (self.all(&test), self.all(|value| !test(value))) {
             (true, _) => Ok(true),
@@ -68,13 +70,14 @@ pub trait Quantity: Leaf + Scalar + Display {
         }
     }
 
-    /// Whether it is 0 in all lanes with zero derivatives: then the terms that it scales may be left out.
+    /// Returns whether the value is 0 in all lanes with zero derivatives: then the terms that it multiplies
+    /// can be omitted.
     fn vanishes(self) -> bool {
         self.shared() == (Some(0.0), true)
     }
 }
 
-/// Form that is allowed for a number that decides the structure of a run.
+/// Allowed form of a number that determines the structure of a run.
 const ONE_NUMBER: &str = "one number: it decides the structure of the run";
 
 impl Leaf for f64 {

@@ -1,4 +1,4 @@
-//! Parameters that change during a run.
+//! Changes of parameters during a run.
 
 use serde_json::Value;
 use thiserror::Error;
@@ -13,7 +13,7 @@ use crate::simulation::Simulation;
 /// A parameter that cannot be set during a run.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum ParameterError {
-    /// No parameter of this name.
+    /// There is no parameter with this name.
     #[error("parameter {found}: no such parameter, allowed: {allowed}")]
     Unknown {
         /// The name that was given.
@@ -21,7 +21,7 @@ pub enum ParameterError {
         /// The parameters that can be set during a run.
         allowed: String,
     },
-    /// One that is not `live`.
+    /// The parameter is not `live`.
     #[error("parameter {name}: takes effect at the start of a run, allowed during a run: {allowed}")]
     AtReset {
         /// The parameter.
@@ -29,32 +29,33 @@ pub enum ParameterError {
         /// The parameters that can be set during a run.
         allowed: String,
     },
-    /// A value with which the run cannot continue.
+    /// The run cannot continue with this value.
     #[error("parameter {name}: found {found}, {why}; allowed: a restart with it")]
     Restart {
         /// The parameter.
         name: String,
         /// The value.
         found: String,
-        /// Why it needs a restart.
+        /// Reason for the restart.
         why: &'static str,
     },
-    /// A value that the scenario cannot have.
+    /// The scenario refuses the value.
     #[error(transparent)]
     Scenario(#[from] Box<ScenarioError>),
 }
 
 impl Scenario {
-    /// Sets a `live` parameter, or one of [`LIVE_SETTINGS`], and lets a simulation of this scenario continue with it:
-    /// time, motion, states and inputs stay, and the change of energy is booked in the ledger. The integrator restarts,
-    /// so the run continues like one of the changed scenario from this state; a reset leads to the start of the changed
-    /// scenario.
+    /// Sets a `live` parameter, or one of [`LIVE_SETTINGS`], and lets a simulation of this scenario continue
+    /// with it: time, motion, states and inputs are kept, and the change of energy is entered in the ledger.
+    /// The integrator restarts, so the run continues like a run of the changed scenario from this state; a
+    /// reset returns to the start of the changed scenario.
     ///
-    /// Snapshots from before the change belong to the old scenario: they are valid again when the value is set back.
+    /// Snapshots from before the change are valid only for the old scenario: setting the old value makes them
+    /// valid again.
     ///
     /// # Errors
-    /// A name that is no live parameter, a value that is not allowed, and a value that changes the structure of the
-    /// run, which needs a restart. Nothing has changed then.
+    /// The name is not a live parameter, the value is not allowed, or it changes the structure of the run,
+    /// which needs a restart. Nothing changes then.
     pub fn set_parameter(
         &mut self,
         simulation: &mut Simulation,
@@ -65,8 +66,9 @@ impl Scenario {
         Ok(())
     }
 
-    /// Sets a live parameter in a simulation, and returns the changed scenario with its setup. It builds the whole setup, the
-    /// equilibrium of the start included: that finds every error, and numbers of the setup may follow from the start.
+    /// Sets a live parameter in a simulation, and returns the changed scenario with its setup. It builds the
+    /// whole setup, with the equilibrium at the start: this finds every error, and numbers of the setup can
+    /// depend on the start.
     fn go_on_with(
         &self,
         simulation: &mut Simulation,
@@ -91,7 +93,7 @@ impl Scenario {
         Ok(next)
     }
 
-    /// The shapes that views draw once.
+    /// Returns the shapes, which views draw only once.
     fn shapes(&self) -> Vec<Option<&Shape>> {
         self.bodies.values().map(|body| body.shape.as_ref()).collect()
     }
@@ -111,7 +113,8 @@ impl Scenario {
 }
 
 impl BuiltScenario {
-    /// Sets a parameter in a simulation of it, as [`Scenario::set_parameter`], and returns the changed scenario.
+    /// Sets a parameter in a simulation of this scenario, like [`Scenario::set_parameter`], and returns the
+    /// changed scenario.
     ///
     /// # Errors
     /// Fails where [`Scenario::set_parameter`] does.
@@ -125,7 +128,7 @@ impl BuiltScenario {
     }
 }
 
-/// The positions of the bodies that are moved by waves.
+/// Returns the positions of the bodies whose motion follows the waves.
 fn carried(simulation: &Simulation, time_s: f64) -> Vec<[f64; 6]> {
     let given = |element: &AnyElement| element.given_positions(simulation.world(), time_s);
     simulation.elements().iter().filter_map(given).map(|(_, positions)| positions).collect()

@@ -1,7 +1,7 @@
 //! Scenario: from text to the description of a run, with the place of every error.
 //!
-//! [`read`] parses YAML (JSON is its subset), renames unit aliases, applies parameters and overrides, types the tree and
-//! builds the model once to validate it; [`BuiltScenario`] keeps what was built.
+//! [`read`] parses YAML (JSON is its subset), renames unit aliases, applies parameters and overrides,
+//! converts the tree to types and builds the model once to validate it; [`BuiltScenario`] keeps the setup.
 
 pub mod assembly;
 mod assignment;

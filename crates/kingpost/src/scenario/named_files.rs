@@ -18,22 +18,22 @@ pub struct NamedFiles {
 }
 
 impl NamedFiles {
-    /// The hydrodynamic database of a file.
+    /// Returns the hydrodynamic database in a file.
     pub fn database(&self, name: &str) -> Option<&Arc<Database>> {
         self.databases.get(name)
     }
 
-    /// The record of the sea's elevation of a file.
+    /// Returns the record of the sea's elevation in a file.
     pub fn record(&self, name: &str) -> Option<&Arc<ElevationTable>> {
         self.records.get(name)
     }
 
-    /// The text of a file that its kind reads.
+    /// Returns the text of a file whose format the kind of its entry defines.
     pub fn text(&self, name: &str) -> Option<&Arc<str>> {
         self.texts.get(name)
     }
 
-    /// The displacement RAOs of a file.
+    /// Returns the displacement RAOs in a file.
     pub fn raos(&self, name: &str) -> Option<&Arc<RaoTable>> {
         self.raos.get(name)
     }

@@ -1,30 +1,31 @@
-//! A type of the scenario file over another scalar: each of its continuous numbers is converted, in the order of the
-//! declarations; everything else is copied.
+//! Conversion of a type of the scenario file to another scalar: each of its continuous numbers is converted,
+//! in the order of the declarations; everything else is copied.
 
 use core::fmt::Display;
 use core::hash::{BuildHasher, Hash};
 
 use indexmap::IndexMap;
 
-/// A type of the scenario file over plain numbers. `#[fields]` implements it for a type that is generic over scalars.
+/// A type of the scenario file over plain numbers. `#[fields]` implements this trait for a type that is
+/// generic over scalars.
 pub trait OverScalar<S> {
     /// The type over the other scalar.
     type Over;
-    /// Converts its numbers.
+    /// Converts the numbers of the value.
     fn over(&self, numbers: &mut dyn Numbers<S>) -> Self::Over;
 }
 
 /// Conversion of the continuous numbers of a scenario, in the order of their declarations.
 pub trait Numbers<S> {
-    /// The number at the present path.
+    /// Converts the number at the present path.
     fn number(&mut self, value: f64) -> S;
-    /// Goes into a field, a variant, an entry of a map or of a list.
+    /// Appends a field, a variant, or an entry of a map or of a list to the present path.
     fn enter(&mut self, _: &dyn Display) {}
-    /// Goes back out of it.
+    /// Removes the last segment from the present path.
     fn leave(&mut self) {}
 }
 
-/// Converts a field, the fields of a variant, or an entry, with its place.
+/// Converts a field, the fields of a variant, or an entry, with its segment appended to the path.
 pub fn within<S, T: OverScalar<S>>(value: &T, segment: &dyn Display, numbers: &mut dyn Numbers<S>) -> T::Over {
     numbers.enter(segment);
     let converted = value.over(numbers);

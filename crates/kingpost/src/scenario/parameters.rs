@@ -1,4 +1,5 @@
-//! Parameters and overrides: values written into the tree of a scenario before it is typed.
+//! Parameters and overrides: values that are written into the tree of a scenario before it is converted to
+//! types.
 
 use indexmap::IndexMap;
 use serde_json::Value;
@@ -10,27 +11,27 @@ use super::tree::{Content, Field, ScenarioNode, segments, value_child};
 use super::writing::ToValue;
 use super::{field_search, unit_conversion, units, wording};
 
-/// Whether a name is a field at the top of a scenario: no parameter may have it.
+/// Returns whether a name is a field at the top level of a scenario: a parameter cannot have this name.
 fn is_top_field(name: &str) -> bool {
     Scenario::<f64>::FIELDS.contains(&name)
 }
 
-/// A value that is set by name: of a parameter, or of a field by its dotted path.
+/// A value that is set by name: the name of a parameter, or the dotted path of a field.
 pub(super) struct Override<'a> {
     pub(super) name: &'a str,
     pub(super) value: &'a Value,
-    /// The place where it is set.
+    /// Place in a file where it is set.
     pub(super) place: SourcePlace,
 }
 
 impl<'a> Override<'a> {
-    /// Set from outside.
+    /// Creates an override that is set from outside.
     pub(super) fn from_outside((name, value): &'a (String, Value)) -> Self {
         Self { name, value, place: SourcePlace::Set(name.clone()) }
     }
 }
 
-/// A tree to write into, and the whole scenario with every default that the tree leaves out.
+/// A tree to be changed, and the whole scenario with every default that the tree omits.
 pub(super) struct OverrideTarget<'a> {
     pub(super) tree: &'a mut ScenarioNode,
     pub(super) whole: &'a Value,
@@ -84,7 +85,7 @@ pub(super) fn apply(
     Ok(())
 }
 
-/// Whether a path leads into the list of parameters.
+/// Returns whether a path is in the list of parameters.
 fn is_definition(path: &str) -> bool {
     path == "parameters" || path.starts_with("parameters.")
 }
@@ -111,7 +112,7 @@ impl Definition<'_> {
         Fault::new(&target.tree.place_of(&path), path.join("."), found, allowed)
     }
 
-    /// The kind of the parameter, once its definition is sound.
+    /// Returns the kind of the parameter, after a check of its definition.
     fn check(&self, target: &OverrideTarget<'_>) -> Result<ParameterKind, Fault> {
         let parameter = self.parameter;
         if is_top_field(&parameter.name) {
@@ -198,21 +199,21 @@ impl Definition<'_> {
 /// Difference of two factors between units that is rounding: units differ by factors of 2 and more.
 const UNIT_ROUNDING: f64 = 1e-9;
 
-/// A path that leads nowhere.
+/// The error for a path without a field.
 struct NoSuchField {
     found: String,
     allowed: String,
 }
 
 impl OverrideTarget<'_> {
-    /// The value at a path in the file, in the unit of the path.
+    /// Returns the value at a path in the file, in the unit of the path.
     fn number_at(&self, path: &str) -> Option<ParameterValue> {
         let (si, factor) = units::si_path(&segments(path));
         in_unit(&self.tree.at(&si)?.to_value(), factor)
     }
 
-    /// Whether a value can be written at this path: everything above it exists; the typed read checks fields that do
-    /// not yet exist.
+    /// Checks that a value can be written at this path: everything above it must exist; fields that do not
+    /// yet exist are checked when the tree is read.
     fn check(&self, path: &[String]) -> Result<(), NoSuchField> {
         let mut node = Some(&*self.tree);
         let mut whole = Some(self.whole);
@@ -266,14 +267,15 @@ impl OverrideTarget<'_> {
     }
 }
 
-/// A path with each name in SI and as written, and the place it comes from.
+/// A path, each name in SI and as written, and its place in the file.
 struct FieldPath<'a> {
     si: &'a [String],
     written: &'a [String],
     place: &'a SourcePlace,
 }
 
-/// Puts a node at a path that [`OverrideTarget::check`] has passed; levels that only the defaults have are copied from them.
+/// Writes a node at a path that [`OverrideTarget::check`] has accepted; levels that exist only in the
+/// defaults are copied from them.
 fn put(tree: &mut ScenarioNode, whole: &Value, path: &FieldPath<'_>, node: ScenarioNode) {
     let FieldPath { si: [segment, si @ ..], written: [name, written @ ..], place } = *path else {
         *tree = node;
@@ -300,7 +302,8 @@ fn put(tree: &mut ScenarioNode, whole: &Value, path: &FieldPath<'_>, node: Scena
     }
 }
 
-/// A parameter's value from any value, or what is allowed instead. Booleans may be written as on and off.
+/// Converts a value to that of a parameter; the error is the allowed form. Booleans can be written as on and
+/// off.
 fn typed_value(parameter: &Parameter, kind: ParameterKind, value: &Value) -> Result<ParameterValue, String> {
     match kind {
         ParameterKind::Boolean => match value {
@@ -333,7 +336,7 @@ fn typed_value(parameter: &Parameter, kind: ParameterKind, value: &Value) -> Res
     }
 }
 
-/// A scalar in the unit of a path, by the factor of that unit.
+/// Converts a scalar to the unit of a path, by the factor of that unit.
 fn in_unit(value: &Value, factor: f64) -> Option<ParameterValue> {
     match value {
         Value::Bool(value) => Some(ParameterValue::Boolean(*value)),
@@ -344,13 +347,13 @@ fn in_unit(value: &Value, factor: f64) -> Option<ParameterValue> {
 }
 
 impl Scenario {
-    /// The parameters, in the order in which views show them.
+    /// Returns the parameters, in the order in which views show them.
     pub fn parameters(&self) -> &[Parameter] {
         &self.parameters
     }
 
-    /// Each parameter's value in this scenario: the value of the first field that it writes, in that path's unit.
-    /// `None` for a field that holds no single value.
+    /// Returns each parameter with its value in this scenario: the value of the first field that it writes,
+    /// in the unit of that path. `None` if that field does not hold a single value.
     pub fn parameter_values(&self) -> Vec<(&Parameter, Option<ParameterValue>)> {
         let whole = self.to_value();
         let value = |parameter: &Parameter| {
@@ -366,7 +369,7 @@ mod tests {
     use super::is_top_field;
 
     #[test]
-    fn a_field_at_the_top_is_known_and_no_other_name() {
+    fn only_fields_at_the_top_level_are_reserved_names() {
         for name in ["version", "title", "parameters", "simulation", "bodies", "forces", "operation", "limits"] {
             assert!(is_top_field(name), "{name}");
         }

@@ -1,4 +1,5 @@
-//! From text to tree, by serde-saphyr. Its budgets against hostile files (depth, aliases, number of values) stay on.
+//! Conversion of text to a tree, by serde-saphyr. Its limits against hostile files (depth, aliases, number of
+//! values) are active.
 
 use std::fmt;
 
@@ -75,19 +76,21 @@ impl<'de> Deserialize<'de> for Raw {
     }
 }
 
-/// The tree of a text with named fields at the top.
+/// Returns the tree of a text with named fields at the top level.
 pub(super) fn parse(text: &str) -> Result<ScenarioNode, Fault> {
     parse_as(text, wording::SCENARIO)
 }
 
-/// Returns the tree of any file of ours with named fields at the top; `allowed` says what the file is.
+/// Returns the tree of a Kingpost file with named fields at the top level; `allowed` is the expected kind of
+/// file.
 pub(super) fn parse_as(text: &str, allowed: &str) -> Result<ScenarioNode, Fault> {
     let raw = raw(text, DuplicateKeyPolicy::Error).map_err(|error| fault(text, &error))?;
     let node = node(raw, &mut Vec::new())?;
     match &node.content {
         Content::Fields(_) => Ok(node),
         Content::Scalar(Value::Null) => Err(Fault::new(&SourcePlace::START, "", wording::EMPTY_FILE, allowed)),
-        // A file of another kind may hold what is not to be shown: a scenario from elsewhere can name any file.
+        // A file of another kind can contain confidential text: a scenario from elsewhere can name any file.
+        // The text is not shown.
         Content::Scalar(Value::String(text)) => {
             let found = format!("a text of {} characters, without named fields", text.chars().count());
             Err(Fault::new(&node.place, "", found, allowed))
@@ -151,7 +154,7 @@ fn node(raw: Spanned<Raw>, path: &mut Vec<String>) -> Result<ScenarioNode, Fault
     Ok(ScenarioNode::new(here, content))
 }
 
-/// A parser's error in our words.
+/// Converts an error of the parser to a scenario error.
 fn fault(text: &str, error: &serde_saphyr::Error) -> Fault {
     use serde_saphyr::Error as E;
     let error = error.without_snippet();
@@ -177,8 +180,8 @@ fn fault(text: &str, error: &serde_saphyr::Error) -> Fault {
     Fault::new(&here, "", found, allowed)
 }
 
-/// The last blank up to a line that YAML does not know: text that was copied from a web page or a word processor has them, and
-/// an editor does not show them.
+/// Returns the last blank, up to a line, that is not a blank in YAML: text copied from a web page or a word
+/// processor contains such blanks, and an editor does not show them.
 fn odd_blank(text: &str, here: &SourcePlace) -> Option<(SourcePlace, String)> {
     let SourcePlace::File { line: last, .. } = *here else { return None };
     let of_line = |(line, text): (usize, &str)| {
@@ -188,7 +191,7 @@ fn odd_blank(text: &str, here: &SourcePlace) -> Option<(SourcePlace, String)> {
     text.lines().enumerate().take(last).filter_map(of_line).last()
 }
 
-/// The first such blank of a text, and its place.
+/// Returns the first such blank of a text, and its place.
 fn odd_blank_in(text: &str) -> Option<(usize, String)> {
     let is_odd = |letter: &char| letter.is_whitespace() && !letter.is_ascii_whitespace();
     let (place, letter) = text.chars().enumerate().find(|(_, letter)| is_odd(letter))?;
@@ -196,7 +199,7 @@ fn odd_blank_in(text: &str) -> Option<(usize, String)> {
     Some((place, format!("{name} (U+{:04X})", u32::from(letter))))
 }
 
-/// The path of the name at this place, in a file where a name occurs twice.
+/// Returns the path of the name at this place, in a file where a name occurs twice.
 fn path_of_second(text: &str, here: &SourcePlace) -> Option<String> {
     fn search(raw: &Raw, here: &SourcePlace, path: &mut Vec<String>) -> bool {
         match raw {

@@ -1,21 +1,23 @@
-//! Names of parts: their files, in the main file's folder or in the gallery, and their fields in the whole.
+//! Names of parts: the names of their files, in the main file's folder or in the gallery, and of their fields
+//! in the whole scenario.
 
-/// The sections of a scenario whose entries have unique names in the whole.
+/// Sections of a scenario whose entries have unique names in the whole scenario.
 pub const SECTIONS: [&str; 8] = ["bodies", "loops", "forces", "drives", "sensors", "controllers", "wires", "limits"];
 
-/// The beginning of a file name in the gallery.
+/// Prefix of the name of a file in the gallery.
 pub const GALLERY: &str = "gallery:";
 
-/// Endings of part files; a name with another ending is in the gallery.
+/// Extensions of part files; a name without one of them is in the gallery.
 const ENDINGS: [&str; 3] = [".yaml", ".yml", ".json"];
 
-/// The file of a part that the file `from` names: by its bare name in the gallery, else by its path.
+/// Returns the name of the file of a part that the file `from` names: a bare name is in the gallery, any
+/// other name is a path.
 pub fn of_part(from: &str, part: &str) -> String {
     let is_path = part.contains(['/', '\\']) || ENDINGS.iter().any(|ending| part.ends_with(ending));
     if is_path { from_folder_of(from, part) } else { format!("{GALLERY}parts/{part}.yaml") }
 }
 
-/// The file that the file `from` names by a path from its own folder.
+/// Returns the name of the file that the file `from` names by a path relative to its own folder.
 pub fn from_folder_of(from: &str, path: &str) -> String {
     if is_absolute(path) {
         return path.to_owned();
@@ -37,7 +39,7 @@ pub fn from_folder_of(from: &str, path: &str) -> String {
     format!("{root}{}", segments.join("/"))
 }
 
-/// A file name for an error: its path from the folder of the main file's name.
+/// Returns the name of a file for an error: its path relative to the folder of the main file.
 pub fn beside(main: &str, file: &str) -> String {
     match main.rfind(['/', '\\']) {
         Some(end) if !is_absolute(file) => format!("{}{file}", &main[..=end]),
@@ -45,17 +47,17 @@ pub fn beside(main: &str, file: &str) -> String {
     }
 }
 
-/// The name of the main file as a part would write it.
+/// Returns the name of the main file as a part would write it.
 pub fn of_main(main: &str) -> String {
     main.rsplit(['/', '\\']).next().unwrap_or_default().to_owned()
 }
 
-/// Whether a path is absolute: in the gallery, from the root, or on a drive `C:`.
+/// Returns whether a path is absolute: in the gallery, from the root, or on a drive `C:`.
 fn is_absolute(path: &str) -> bool {
     path.starts_with('/') || path.starts_with(GALLERY) || path.as_bytes().get(1) == Some(&b':')
 }
 
-/// The field of an error, as written in the part's file.
+/// Returns the field of an error, as written in the part's file.
 pub fn in_part(field: &str, prefix: &str) -> String {
     let own = |section: &str, rest: &str| {
         let named = SECTIONS.contains(&section).then(|| rest.strip_prefix(prefix)).flatten();

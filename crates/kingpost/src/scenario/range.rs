@@ -1,4 +1,5 @@
-//! Values with a range: a type for each, so that the reader, the JSON Schema and the engine agree on what is allowed.
+//! Numbers with a range: one type for each range, so that the reader, the JSON Schema and the engine agree on
+//! the allowed values.
 
 use std::fmt;
 use std::ops::Deref;
@@ -21,7 +22,7 @@ macro_rules! ranged_number {
         pub struct $name<S = f64>(S);
 
         impl<S: Leaf> $name<S> {
-            /// `None` if the value is outside the range or not finite.
+            /// Creates the value; `None` if it is outside the range or not finite.
             pub fn new(value: S) -> Option<Self> {
                 value.outside(Self::inside).is_none().then_some(Self(value))
             }
@@ -31,12 +32,12 @@ macro_rules! ranged_number {
                 value.is_finite() && inside(value)
             }
 
-            /// The number itself.
+            /// Returns the number.
             pub fn get(self) -> S {
                 self.0
             }
 
-            /// For default values: a literal in the source code.
+            /// Creates a default value from a literal in the source code.
             pub(crate) fn literal(value: f64) -> Self {
                 assert!(Self::inside(value));
                 Self(S::literal(value))
@@ -130,27 +131,28 @@ impl<S: Default> Default for NonNegative<S> {
 pub struct Direction<S = f64>([S; 3]);
 
 impl<S: Leaf> Direction<S> {
-    /// `None` if the components are all 0 or one is not finite.
+    /// Creates the direction; `None` if all components are 0 or one is not finite.
     pub fn new(components: [S; 3]) -> Option<Self> {
         let finite = components.iter().all(|component| component.outside(f64::is_finite).is_none());
         let directed = components.iter().any(|component| component.outside(|c| c != 0.0).is_none());
         (finite && directed).then_some(Self(components))
     }
 
-    /// For default values: a literal in the source code.
+    /// Creates a default value from a literal in the source code.
     pub(crate) fn literal(components: [f64; 3]) -> Self {
         assert!(components.iter().any(|component| *component != 0.0));
         Self(components.map(S::literal))
     }
 
-    /// The components as written; not normalised.
+    /// Returns the components as written, not normalised.
     pub fn get(self) -> [S; 3] {
         self.0
     }
 }
 
 impl Direction {
-    /// The unit vector. Scaled by the largest component first, so that no length overflows.
+    /// Returns the unit vector. The components are first divided by the largest one, so that the length does
+    /// not overflow.
     pub fn unit(self) -> [f64; 3] {
         let largest = self.0.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
         let [x, y, z] = self.0.map(|c| c / largest);

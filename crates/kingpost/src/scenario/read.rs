@@ -1,4 +1,5 @@
-//! From text to scenario: parse, rename units, apply parameters and overrides, type, build once to validate.
+//! Conversion of text to a scenario: parses, renames units, applies parameters and overrides, converts to
+//! types, and builds once to validate.
 
 use serde_json::Value;
 
@@ -50,20 +51,20 @@ fn read_and_build(
     Parsed::new(text, file)?.read_and_build(overrides, files)
 }
 
-/// A parsed text, to be read with one set of overrides after another.
+/// A parsed text, which is read with one set of overrides after another.
 #[derive(Clone)]
 pub(crate) struct Parsed<'a> {
     file: &'a str,
     tree: ScenarioNode,
-    /// Scenario as written, for parameters and overrides; of a text with parts it depends on the overrides.
+    /// Scenario as written, for parameters and overrides; if the text has parts, it depends on the overrides.
     as_written: Option<AsWritten>,
 }
 
-/// The scenario before parameters and overrides are written into it.
+/// The scenario before parameters and overrides are applied.
 #[derive(Clone)]
 struct AsWritten {
     parameters: Vec<Parameter>,
-    /// All of it, with every default.
+    /// The whole scenario, with every default.
     whole: Value,
 }
 
@@ -75,7 +76,7 @@ impl<'a> Parsed<'a> {
             let mut tree = parse::parse(text)?;
             check_version(&tree)?;
             let as_written = match tree.field("parts") {
-                // The units of a file with parts are converted where they are mounted.
+                // In a file with parts, units are converted during mounting.
                 Some(_) => None,
                 None => {
                     unit_conversion::to_si(&mut tree)?;
@@ -120,8 +121,9 @@ fn from_outside(overrides: &[(String, Value)]) -> Vec<Override<'_>> {
     overrides.iter().map(Override::from_outside).collect()
 }
 
-/// Names of the files that a scenario needs, as far as the given `files` show: its parts, and the files named by its
-/// forces, joints and sea. Parts name files too, so a host repeats the call until no new name appears.
+/// Returns the names of the files that a scenario needs, as far as the given `files` show: its parts, and the
+/// files that its forces, joints and sea name. A part can name further files, so a host repeats the call
+/// until there is no new name.
 ///
 /// ```
 /// use kingpost::scenario::{Files, file_names};
@@ -155,7 +157,7 @@ pub fn file_names(
     names().map_err(|fault: Fault| fault.in_file(file))
 }
 
-/// A resolved scenario with another value of a parameter.
+/// Returns a resolved scenario with another value of a parameter.
 pub(super) fn changed(scenario: &Scenario, name: &str, value: &Value) -> Result<Scenario, ScenarioError> {
     let pair = (name.to_owned(), value.clone());
     let given = Override::from_outside(&pair);
@@ -164,7 +166,7 @@ pub(super) fn changed(scenario: &Scenario, name: &str, value: &Value) -> Result<
     Ok(Scenario { parts: scenario.parts.clone(), files: scenario.files.clone(), ..resolved })
 }
 
-/// The scenario of a tree without parts, parameters and overrides in place.
+/// Reads the scenario of a tree without parts, after parameters and overrides are applied.
 fn resolved(tree: &mut ScenarioNode, overrides: &[Override<'_>]) -> Result<Scenario, Fault> {
     AsWritten::of(tree)?.resolved(tree, overrides)
 }
@@ -179,7 +181,7 @@ impl AsWritten {
         Ok(Self { parameters: scenario.parameters, whole })
     }
 
-    /// The scenario of its tree with parameters and overrides in place.
+    /// Applies parameters and overrides to a tree and reads the scenario.
     fn resolved(&self, tree: &mut ScenarioNode, overrides: &[Override<'_>]) -> Result<Scenario, Fault> {
         parameters::apply(OverrideTarget { tree, whole: &self.whole }, &self.parameters, overrides)?;
         let mut scenario: Scenario = reading::read(tree)?;
@@ -191,13 +193,13 @@ impl AsWritten {
 }
 
 impl Scenario {
-    /// The resolved scenario as JSON: every default written out, parameters without their defaults (their values stand
-    /// in the fields). It reads back to the same scenario.
+    /// Returns the resolved scenario as JSON, with every default; its parameters have no defaults, because
+    /// the fields hold their values. Reading it gives the same scenario.
     pub fn to_json(&self) -> String {
         serde_json::to_string_pretty(self).unwrap_or_default()
     }
 
-    /// The setup of a simulation.
+    /// Returns the setup of a simulation.
     ///
     /// # Errors
     /// Bodies, joints, forces, drives or settings that do not fit together; the error has a field but no place.
@@ -205,7 +207,7 @@ impl Scenario {
         Ok(super::assembly::build(self)?)
     }
 
-    /// A simulation at time 0; for an implicit scheme with exact derivatives.
+    /// Returns a simulation at time 0; an implicit scheme has exact derivatives.
     ///
     /// ```
     /// let text = include_str!("../../../../scenarios/paper.yaml");
@@ -220,7 +222,7 @@ impl Scenario {
         self.simulation_of(self.setup()?)
     }
 
-    /// Returns a simulation of the scenario from its own setup.
+    /// Returns a simulation of the scenario with its own setup.
     pub(crate) fn simulation_of(&self, setup: Setup) -> Result<Simulation, ScenarioError> {
         #[cfg(not(target_family = "wasm"))]
         let exact = self.exact_derivatives(&setup)?;

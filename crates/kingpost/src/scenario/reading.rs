@@ -1,4 +1,4 @@
-//! Reads the types of a file from its tree. `#[fields]` implements [`FromNode`] for a type with fields or kinds.
+//! Conversion of a file's tree to types. `#[fields]` implements [`FromNode`] for a type with fields or kinds.
 
 use indexmap::IndexMap;
 use serde_json::Value;
@@ -10,16 +10,16 @@ use super::wording;
 
 /// A type that is read from a node of a file's tree.
 pub(crate) trait FromNode: Sized {
-    /// The names of its fields, if it has some.
+    /// Names of its fields; empty if it has none.
     const FIELDS: &'static [&'static str] = &[];
 
-    /// Reads it.
+    /// Reads the value of a node.
     fn read(node: &ScenarioNode) -> Result<Self, ReadFault>;
 
-    /// Returns what is allowed, in the words of an error.
+    /// Returns the allowed form, as text for an error.
     fn allowed() -> String;
 
-    /// The value of a field that is left out; `None` if it is required.
+    /// Returns the value of an omitted field; `None` if the field is required.
     fn absent() -> Option<Self> {
         None
     }
@@ -34,12 +34,12 @@ pub(crate) trait FromNode: Sized {
         visit_fields(Self::fields_with_texts(), node, visit);
     }
 
-    /// The fields that are places in the world; of an enum, those of a kind.
+    /// Returns the fields that are positions in the world; for an enum, those of a kind.
     fn places(_kind: &str) -> &'static [(&'static str, PlaceKind)] {
         &[]
     }
 
-    /// The kind of the text at a path; `None` if no such text is there.
+    /// Returns the kind of the text at a path; `None` if no such text is there.
     fn text_at(path: &[&str]) -> Option<TextKind> {
         let (first, rest) = path.split_first()?;
         let field = Self::fields_with_texts().iter().find(|field| field.name == *first)?;
@@ -60,12 +60,12 @@ impl FieldWithTexts {
     }
 }
 
-/// A text that a part changes where it is mounted.
+/// A text that changes when a part is mounted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum TextKind {
-    /// The name of another entry of the scenario, of one of its axes, inputs or columns.
+    /// Name of another entry of the scenario, or of an entry's axis, input or column.
     Reference,
-    /// The path of a file with this content.
+    /// Path of a file with this content.
     File(FileKind),
 }
 
@@ -78,11 +78,11 @@ pub(crate) enum FileKind {
     ElevationRecord,
     /// Displacement RAOs.
     Raos,
-    /// A text that its kind reads.
+    /// A text whose format the kind of its entry defines.
     Text,
 }
 
-/// A place in the world that no body names: the mounting of a part moves it.
+/// A position in the world that is given without a body: the mounting of a part moves it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum PlaceKind {
     /// A point: x, y, z.
@@ -91,7 +91,7 @@ pub(crate) enum PlaceKind {
     Station,
 }
 
-/// A type of the names in a map.
+/// Type of the names in a map.
 pub(crate) trait FromName: Sized + Eq + Hash {
     /// Reads a name.
     ///
@@ -100,7 +100,7 @@ pub(crate) trait FromName: Sized + Eq + Hash {
     fn from_name(name: &str) -> Result<Self, &'static str>;
 }
 
-/// An error at a node. Its path grows on the way out, from the innermost segment.
+/// An error at a node. On return from nested fields, each one adds its segment in front of the path.
 #[derive(Debug)]
 pub(crate) struct ReadFault {
     place: SourcePlace,
@@ -114,12 +114,12 @@ impl ReadFault {
         Self { place: place.clone(), path: Vec::new(), found: found.into(), allowed: allowed.into() }
     }
 
-    /// A value that is not allowed.
+    /// Returns the error for a value that is not allowed.
     pub(crate) fn at(node: &ScenarioNode, allowed: impl Into<String>) -> Self {
         Self::new(&node.place, wording::found(&node.written_value()), allowed)
     }
 
-    /// The error inside a field or an entry.
+    /// Adds a field or an entry in front of the path.
     pub(crate) fn within(mut self, segment: impl Into<String>) -> Self {
         self.path.push(segment.into());
         self
@@ -146,12 +146,12 @@ pub(super) fn check_version(tree: &ScenarioNode) -> Result<(), Fault> {
     }
 }
 
-/// The types of a file over its tree, with the place of the first error.
+/// Reads a typed value from the tree of a file. The error holds the place of the first fault.
 pub(super) fn read<T: FromNode>(tree: &ScenarioNode) -> Result<T, Fault> {
     Ok(T::read(tree)?)
 }
 
-/// The fields of a node.
+/// Returns the fields of a node.
 pub(crate) fn fields(node: &ScenarioNode) -> Result<&IndexMap<String, Field>, ReadFault> {
     match &node.content {
         Content::Fields(fields) => Ok(fields),
@@ -159,7 +159,7 @@ pub(crate) fn fields(node: &ScenarioNode) -> Result<&IndexMap<String, Field>, Re
     }
 }
 
-/// A field that its type does not have.
+/// Returns the error for a field that its type does not have.
 pub(crate) fn unknown(name: &str, field: &Field, known: &[&str]) -> ReadFault {
     let written = field.written.as_deref().unwrap_or(name);
     let allowed = wording::one_of_with_hint(known, written);
@@ -171,17 +171,17 @@ pub(crate) fn field<T: FromNode>(name: &str, field: &Field) -> Result<T, ReadFau
     T::read(&field.node).map_err(|fault| fault.within(field.written.as_deref().unwrap_or(name)))
 }
 
-/// Reads a field that may be left out; if it is written, it has a value.
+/// Reads an optional field that is present; null is refused.
 pub(crate) fn present<T: FromNode>(name: &str, of: &Field) -> Result<Option<T>, ReadFault> {
     field(name, of).map(Some)
 }
 
-/// A field's value, or the value of one that is left out.
+/// Returns the value of a field; if it is omitted, its default.
 pub(crate) fn or_absent<T: FromNode>(read: Option<T>, name: &str, node: &ScenarioNode) -> Result<T, ReadFault> {
     read.or_else(T::absent).ok_or_else(|| ReadFault::new(&node.place, wording::NOTHING, T::allowed()).within(name))
 }
 
-/// The name of a kind, with its field if it is written with fields.
+/// Returns the name of a kind, and its field if the kind is written with fields.
 pub(crate) fn kind<'a>(node: &'a ScenarioNode, kinds: &[&str]) -> Result<(&'a str, Option<&'a Field>), ReadFault> {
     let known = |name: &str, found: String| match kinds.contains(&name) {
         true => Ok(()),
@@ -225,7 +225,7 @@ pub(crate) fn visit_text(node: &mut ScenarioNode, kind: TextKind, visit: &mut dy
     }
 }
 
-/// The fields of a kind that has some.
+/// Reads the fields of a kind with fields.
 pub(crate) fn kind_with_fields<T: FromNode>(
     node: &ScenarioNode,
     name: &str,
@@ -347,7 +347,7 @@ impl<T: FromNode> FromNode for Box<T> {
     }
 }
 
-/// The entries of a list.
+/// Returns the entries of a list.
 fn entries<'a>(node: &'a ScenarioNode, allowed: &str) -> Result<&'a [ScenarioNode], ReadFault> {
     match &node.content {
         Content::List(entries) => Ok(entries),

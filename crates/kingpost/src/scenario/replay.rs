@@ -1,17 +1,18 @@
-//! A user's moves in a run, as a scenario that repeats them.
+//! Replay: the user's changes of inputs in a run, as a scenario that repeats them.
 
 use super::error::FieldError;
 use super::schema::{InputMove, NonNegative, Operation, OperationStep, Positive, Scenario, SignalName};
 use crate::simulation::{LeverMove, Simulation};
 
-/// Name of the step that holds the user's moves.
+/// Name of the operation's step that contains the user's changes of inputs.
 const STEP: &str = "by hand";
 
 impl Scenario {
-    /// The user's moves in a simulation of this scenario, as an operation: a run with it gives the same bits.
+    /// Returns the user's changes of inputs in a simulation of this scenario, as an operation: a run with
+    /// this operation is bitwise identical.
     ///
-    /// It contains the moves since the start or the last reset. A parameter that was set during the run is not a lever:
-    /// [`Simulation::parameters_set`].
+    /// It contains the changes since the start or the last reset. Parameters that were set during the run are
+    /// not included: see [`Simulation::parameters_set`].
     ///
     /// # Errors
     /// The scenario has an enabled operation: there can be only one.
@@ -26,18 +27,18 @@ impl Scenario {
         })
     }
 
-    /// This scenario with the user's moves as its operation, and with the time run so far if that is longer than its
-    /// duration. Without moves its own operation stays.
+    /// Returns this scenario with the user's changes of inputs as its operation; its duration is at least the
+    /// present time of the run. If the user has changed nothing, the scenario's own operation is kept.
     ///
-    /// Parameters have their present values, whenever they were set.
+    /// Parameters have their present values from the start, even if they were set during the run.
     ///
     /// # Errors
-    /// As [`operation_by_hand`](Self::operation_by_hand), if the user has moved something.
+    /// As [`operation_by_hand`](Self::operation_by_hand), if the user has changed an input.
     pub fn replay(&self, simulation: &Simulation) -> Result<Scenario, FieldError> {
         let mut replay = self.clone();
         if !simulation.lever_moves().is_empty() {
             replay.operation = Some(self.operation_by_hand(simulation)?);
-            // The steps that parameters wrote to no longer exist.
+            // The operation's steps to which parameters wrote no longer exist.
             let stays = |path: &String| path == "operation.enabled" || !path.starts_with("operation.");
             replay.parameters.iter_mut().for_each(|parameter| parameter.writes.retain(stays));
             replay.parameters.retain(|parameter| !parameter.writes.is_empty());
@@ -49,7 +50,7 @@ impl Scenario {
     }
 }
 
-/// Levers have valid names and times increase, so no move is left out.
+/// The names of levers are valid and times increase, so no change is lost.
 fn input_move(LeverMove { time_s, input, value }: LeverMove) -> Option<InputMove> {
     let (input, at_s) = (SignalName::new(input)?, NonNegative::new(time_s)?);
     Some(InputMove { input, to: value, unit: None, at_s, in_s: NonNegative::new(0.0)? })

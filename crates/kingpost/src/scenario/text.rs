@@ -12,7 +12,7 @@ use super::tree::ScenarioNode;
 use super::wording::{COLOUR, COORDINATE_NAME, NAME, SIGNAL_NAME, TEXT, VERSION};
 use super::writing::ToValue;
 
-/// The name that stands for the inertial frame; no body may carry it.
+/// Name of the inertial frame; a body cannot have it.
 pub const WORLD: &str = "world";
 
 macro_rules! formed_text {
@@ -23,13 +23,13 @@ macro_rules! formed_text {
         pub struct $name(String);
 
         impl $name {
-            /// `None` if the text does not have the form.
+            /// Creates the text; `None` if it does not have the form.
             pub fn new(text: impl Into<String>) -> Option<Self> {
                 let text = text.into();
                 $test(&text).then_some(Self(text))
             }
 
-            /// The text itself.
+            /// Returns the text.
             pub fn as_str(&self) -> &str {
                 &self.0
             }
@@ -177,7 +177,7 @@ impl FromName for Name {
 }
 
 impl Name {
-    /// The inertial frame.
+    /// Returns the name of the inertial frame.
     pub fn world() -> Self {
         Self(WORLD.to_owned())
     }

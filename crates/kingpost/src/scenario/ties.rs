@@ -1,9 +1,10 @@
-//! Connections of bodies to the world, through other bodies.
+//! Connections of bodies to the world, directly or through other bodies.
 
 use crate::elements::{AnyElement, BodyPair};
 use crate::model::{JointKind, Model};
 
-/// For each body whether joints, closed loops and these ties connect it to the world, directly or through other bodies.
+/// Returns for each body whether joints, closed loops and these ties connect it to the world, directly or
+/// through other bodies.
 pub fn tied_to_the_world(model: &Model, ties: impl Iterator<Item = BodyPair>) -> Vec<bool> {
     let loops = model.loops.iter().map(|closed| [closed.first.body, closed.second.body]);
     let ties: Vec<BodyPair> = joints(model).chain(loops).chain(ties).collect();
@@ -22,12 +23,12 @@ pub fn tied_to_the_world(model: &Model, ties: impl Iterator<Item = BodyPair>) ->
     }
 }
 
-/// The ties that hold bodies in surge, sway and yaw.
+/// Returns the ties that hold bodies in surge, sway and yaw.
 pub fn stations(elements: &[AnyElement]) -> impl Iterator<Item = BodyPair> + '_ {
     elements.iter().flat_map(|element| element.supports()).filter_map(|support| support.station())
 }
 
-/// The ties by which one body may carry the other.
+/// Returns the ties by which one body can carry another.
 pub fn carrying(elements: &[AnyElement]) -> impl Iterator<Item = BodyPair> + '_ {
     elements.iter().flat_map(|element| element.supports()).filter_map(|support| support.carries())
 }
@@ -37,7 +38,7 @@ fn joints(model: &Model) -> impl Iterator<Item = BodyPair> + '_ {
     joined.map(|body| [Some(body), model.tree.nodes[body].parent])
 }
 
-/// Whether a body's joint lets it move away freely.
+/// Returns whether the joint of a body lets it move away freely.
 pub fn floats_freely(model: &Model, body: usize) -> bool {
     matches!(model.tree.nodes[body].kind, JointKind::Floating(floating) if !floating.hold_translation)
 }

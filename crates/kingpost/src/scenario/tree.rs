@@ -1,4 +1,4 @@
-//! The tree of a scenario's text: every value with its place.
+//! Tree of a scenario's text: every value with its place.
 
 use indexmap::IndexMap;
 use serde_json::Value;
@@ -10,7 +10,7 @@ use super::error::SourcePlace;
 pub(crate) struct ScenarioNode {
     pub(crate) place: SourcePlace,
     pub(crate) content: Content,
-    /// The number as written, if a unit alias has changed it.
+    /// The number as written, if it was written in another unit.
     pub(crate) written: Option<Value>,
 }
 
@@ -29,7 +29,7 @@ pub(crate) enum Content {
 #[derive(Clone, Debug)]
 pub(crate) struct Field {
     pub(crate) name_place: SourcePlace,
-    /// The name as written, if a unit alias has changed it.
+    /// The name as written, if it was written with another unit.
     pub(crate) written: Option<String>,
     pub(crate) node: ScenarioNode,
 }
@@ -39,7 +39,7 @@ impl ScenarioNode {
         Self { place, content, written: None }
     }
 
-    /// The tree of a value that comes from one place.
+    /// Returns the tree of a value whose parts all come from one place.
     pub(crate) fn from_value(value: &Value, place: &SourcePlace) -> Self {
         let content = match value {
             Value::Array(entries) => {
@@ -56,7 +56,7 @@ impl ScenarioNode {
         Self::new(place.clone(), content)
     }
 
-    /// The value without places.
+    /// Returns the value without places.
     pub(crate) fn to_value(&self) -> Value {
         match &self.content {
             Content::Scalar(value) => value.clone(),
@@ -67,12 +67,12 @@ impl ScenarioNode {
         }
     }
 
-    /// The value as written, for an error's words.
+    /// Returns the value as written, for an error.
     pub(crate) fn written_value(&self) -> Value {
         self.written.clone().unwrap_or_else(|| self.to_value())
     }
 
-    /// The field of this name.
+    /// Returns the field with this name.
     pub(crate) fn field(&self, name: &str) -> Option<&Field> {
         match &self.content {
             Content::Fields(fields) => fields.get(name),
@@ -80,7 +80,7 @@ impl ScenarioNode {
         }
     }
 
-    /// The names of the fields.
+    /// Returns the names of the fields.
     pub(crate) fn names(&self) -> Vec<&str> {
         match &self.content {
             Content::Fields(fields) => fields.keys().map(String::as_str).collect(),
@@ -96,12 +96,12 @@ impl ScenarioNode {
         }
     }
 
-    /// The node at a path, if there is one.
+    /// Returns the node at a path, if it exists.
     pub(crate) fn at(&self, path: &[String]) -> Option<&Self> {
         path.iter().try_fold(self, |node, segment| node.child(segment))
     }
 
-    /// The place of a path; where the path has none of its own, that of its nearest ancestor.
+    /// Returns the place of the node at a path; if it does not exist, the place of its nearest ancestor.
     pub(crate) fn place_of(&self, path: &[String]) -> SourcePlace {
         let mut node = self;
         for segment in path {
@@ -113,7 +113,7 @@ impl ScenarioNode {
         node.place.clone()
     }
 
-    /// Where the name of the field at a path stands, to report a field that is not allowed there.
+    /// Returns the place of the field's name at a path, to report a field that is not allowed.
     pub(crate) fn name_place_of(&self, path: &[String]) -> SourcePlace {
         let field = path.split_last().and_then(|(last, parents)| self.at(parents)?.field(last));
         field.map_or_else(|| self.place_of(path), |field| field.name_place.clone())
@@ -126,17 +126,17 @@ impl Field {
     }
 }
 
-/// The segments of a dotted path.
+/// Returns the segments of a dotted path.
 pub(crate) fn segments(path: &str) -> Vec<String> {
     path.split('.').map(str::to_owned).collect()
 }
 
-/// The value at a path.
+/// Returns the value at a path.
 pub(crate) fn value_at<'a>(value: &'a Value, path: &[String]) -> Option<&'a Value> {
     path.iter().try_fold(value, |value, segment| value_child(value, segment))
 }
 
-/// The value one segment down.
+/// Returns the value at a segment below this one.
 pub(crate) fn value_child<'a>(value: &'a Value, segment: &str) -> Option<&'a Value> {
     match value {
         Value::Array(entries) => entries.get(segment.parse::<usize>().ok()?),

@@ -7,8 +7,9 @@ use super::error::Fault;
 use super::tree::{Content, Field, ScenarioNode};
 use super::units::si_name;
 
-/// Renames every field of the tree whose name ends in a unit alias, and converts its numbers. A field with named fields
-/// is an entry with a name (a body `lift_t`, for example) and stays.
+/// Renames every field of the tree whose name ends in a unit alias, and converts its numbers. A field that
+/// contains named fields is not a quantity but a named entry, for example a body `lift_t`, and is not
+/// changed.
 pub(super) fn to_si(node: &mut ScenarioNode) -> Result<(), Fault> {
     rename(node, &mut Vec::new())
 }
@@ -56,8 +57,8 @@ fn field_to_si(name: String, mut field: Field) -> (String, Field) {
     }
 }
 
-/// Converts the numbers of a quantity: one, or a list of them. The typed read refuses everything else, including a
-/// number too large for its SI unit.
+/// Converts the numbers of a quantity: one, or a list of them. Anything else, such as a number that is too
+/// large in SI, is refused when the tree is read.
 pub(super) fn convert(node: &mut ScenarioNode, factor: f64) {
     match &mut node.content {
         Content::List(entries) => entries.iter_mut().for_each(|entry| convert(entry, factor)),

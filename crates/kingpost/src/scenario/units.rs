@@ -1,8 +1,9 @@
-//! Unit aliases: names that end in `_deg`, `_t`, `_kN` ... where engineers write them so, read as their SI names.
+//! Unit aliases: endings such as `_deg`, `_t` and `_kN` for units that engineers use; the names are read as
+//! their SI names.
 
 use std::f64::consts::PI;
 
-/// An ending of a name, the SI ending that it stands for, and the factor from the one to the other.
+/// An ending of a name, the corresponding SI ending, and the conversion factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UnitAlias {
     /// The ending as written: `_deg`.
@@ -19,7 +20,7 @@ const fn alias(ending: &'static str, si: &'static str, factor: f64) -> UnitAlias
 
 const DEGREE: f64 = PI / 180.0;
 
-/// Every unit alias. No ending is the end of another.
+/// Every unit alias. No alias is the ending of another alias.
 pub const UNIT_ALIASES: [UnitAlias; 17] = [
     alias("_deg", "_rad", DEGREE),
     alias("_deg_s", "_rad_s", DEGREE),
@@ -76,19 +77,19 @@ const SI_ENDINGS: [(&str, &str); 32] = [
     ("_N_m_per_rad_s", "N m/(rad s)"),
 ];
 
-/// The longest ending of a name that is a unit, and the unit.
+/// Returns the longest ending of a name that is a unit, and the unit.
 pub(super) fn si_ending(name: &str) -> Option<(&'static str, &'static str)> {
     let known = SI_ENDINGS.into_iter();
     known.filter(|(ending, _)| name.ends_with(ending)).max_by_key(|(ending, _)| ending.len())
 }
 
-/// A unit in SI units, if it measures the same quantity: `kN` for N, `deg/s` for rad/s.
+/// Returns the SI value of a unit, if it is a unit of the same quantity: `kN` for N, `deg/s` for rad/s.
 pub(super) fn factor_of(unit: &str, si: &str) -> Option<f64> {
     let written = units_for(si).into_iter().find(|(written, _)| written == unit);
     written.map(|(_, factor)| factor)
 }
 
-/// The units in which a quantity may be written, the SI unit first, each with its value in SI units.
+/// Returns the units in which a quantity can be written, the SI unit first, each with its value in SI units.
 pub(super) fn units_for(si: &str) -> Vec<(String, f64)> {
     let stem = |ending: &'static str| ending[1..].split('_').next().unwrap_or_default();
     let of = |alias: &UnitAlias| {
@@ -99,9 +100,9 @@ pub(super) fn units_for(si: &str) -> Vec<(String, f64)> {
     core::iter::once((si.to_owned(), 1.0)).chain(aliases).collect()
 }
 
-/// The SI name and the factor, if the name ends in a unit alias.
+/// Returns the SI name and the factor, if the name ends in a unit alias.
 pub(super) fn si_name(name: &str) -> Option<(String, f64)> {
-    // A stiffness per degree is not an angle.
+    // A stiffness per degree is not an angle: it has no alias.
     if name.ends_with("_per_deg") {
         return None;
     }
@@ -111,14 +112,14 @@ pub(super) fn si_name(name: &str) -> Option<(String, f64)> {
     })
 }
 
-/// The other names under which the quantity with this SI name may be written.
+/// Returns the other names under which the quantity with this SI name can be written.
 pub(super) fn aliases_of(name: &str) -> impl Iterator<Item = String> + '_ {
     let written = |alias: &UnitAlias| Some(format!("{}{}", name.strip_suffix(alias.si)?, alias.ending));
     UNIT_ALIASES.iter().filter_map(written).filter(move |written| si_name(written).is_some_and(|(si, _)| si == name))
 }
 
-/// The SI path of a path whose quantity ends in a unit alias (`bodies.ship.mass_t`, `...orientation_deg.2`), and the
-/// factor; 1 if it has none.
+/// Returns the SI path of a path whose quantity ends in a unit alias (`bodies.ship.mass_t`,
+/// `...orientation_deg.2`), and the factor; without an alias the same path and 1.
 pub(super) fn si_path(path: &[String]) -> (Vec<String>, f64) {
     let mut si = path.to_vec();
     let is_index = |segment: &String| segment.parse::<usize>().is_ok();
@@ -140,8 +141,8 @@ pub(super) fn si_path(path: &[String]) -> (Vec<String>, f64) {
 mod tests {
     use super::*;
 
-    /// The prefixes of the SI, a tonne of 1000 kg, a bar of 100,000 Pa (BIPM, *The International System of Units*, 9th ed.,
-    /// tables 7 and 8), and a turn of 360 degrees.
+    /// SI prefixes, the tonne of 1000 kg, the bar of 100,000 Pa (BIPM, *The International System of Units*,
+    /// 9th ed., tables 7 and 8), and the turn of 360 degrees.
     #[test]
     fn each_alias_has_the_factor_of_its_prefix() {
         let of_prefix = [("_deg", PI / 180.0), ("_k", 1e3), ("_t", 1e3), ("_GPa", 1e9), ("_bar", 1e5)];

@@ -1,4 +1,4 @@
-//! The words of every error: what was found and what is allowed.
+//! Texts of all errors: the found value and the allowed form.
 
 use std::borrow::Cow;
 
@@ -44,12 +44,12 @@ pub(crate) const UNKNOWN_FIELD: &str = "an unknown field";
 pub(crate) const ASSIGNMENT: &str = "name=value";
 
 const LONGEST_QUOTE: usize = 40;
-/// Characters of a name that is allowed: a file can hold one of any length.
+/// Largest number of characters of an allowed name in an error: a file can contain a name of any length.
 const LONGEST_NAME: usize = 120;
-/// Digits and points of a number that is shown in full, at most.
+/// Largest number of digits and decimal points of a number that is shown in full.
 const LONGEST_NUMBER: usize = 24;
 
-/// A value in the words of an error.
+/// Returns a value as text for an error.
 pub(crate) fn found(value: &Value) -> String {
     match value {
         Value::Null => NOTHING.to_owned(),
@@ -70,13 +70,13 @@ pub(crate) fn found(value: &Value) -> String {
     }
 }
 
-/// A number without the `.0` of a whole one.
+/// Returns a number as text, without the `.0` of a whole number.
 fn number(number: &serde_json::Number) -> String {
     let text = number.to_string();
     text.strip_suffix(".0").map_or_else(|| text.clone(), str::to_owned)
 }
 
-/// A text with very long numbers shown by powers of ten: 1e300, not 1 with 300 zeros.
+/// Returns a text in which very long numbers are shown as powers of ten: 1e300, not 1 with 300 zeros.
 pub(crate) fn with_powers(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     let mut rest = text;
@@ -95,17 +95,17 @@ pub(crate) fn with_powers(text: &str) -> String {
     shown
 }
 
-/// A text in quotes on one line, shortened if it is long.
+/// Returns a text in quotes on one line, shortened if it is long.
 pub(crate) fn quoted(text: &str) -> String {
     format!("{:?}", shortened(text))
 }
 
-/// A text, cut if it is long.
+/// Returns a text, shortened if it is long.
 pub(crate) fn shortened(text: &str) -> String {
     beginning(text, LONGEST_QUOTE)
 }
 
-/// A text of at most so many characters; of a longer one what it begins with.
+/// Returns a text of at most `longest` characters; a longer one is cut and followed by `...`.
 pub(crate) fn beginning(text: &str, longest: usize) -> String {
     match text.char_indices().nth(longest) {
         Some((end, _)) => format!("{}...", &text[..end]),
@@ -113,7 +113,7 @@ pub(crate) fn beginning(text: &str, longest: usize) -> String {
     }
 }
 
-/// A text with its control characters escaped: an error is one line.
+/// Returns a text with its control characters escaped, so that an error is on one line.
 pub(crate) fn on_one_line(text: &str) -> Cow<'_, str> {
     if !text.contains(char::is_control) {
         return Cow::Borrowed(text);
@@ -122,12 +122,12 @@ pub(crate) fn on_one_line(text: &str) -> Cow<'_, str> {
     Cow::Owned(escaped.collect())
 }
 
-/// The end of every error of a field: what was found and what is allowed, on one line.
+/// Returns the end of every error of a field: the found value and the allowed form, on one line.
 pub(crate) fn found_and_allowed(found: &str, allowed: &str) -> String {
     format!("found {}, allowed: {}", on_one_line(found), on_one_line(allowed))
 }
 
-/// `a`, `a or b`, `one of a, b, c`.
+/// Returns names as text: `a`, `a or b`, `one of a, b, c`.
 pub(crate) fn one_of(names: &[&str]) -> String {
     let shown: Vec<String> = names.iter().map(|name| beginning(name, LONGEST_NAME)).collect();
     match shown.as_slice() {
@@ -138,7 +138,7 @@ pub(crate) fn one_of(names: &[&str]) -> String {
     }
 }
 
-/// The names allowed, and the one that was probably meant.
+/// Returns the allowed names, and the one that was probably meant.
 pub(crate) fn one_of_with_hint(names: &[&str], written: &str) -> String {
     match nearest(names, written) {
         Some(name) => format!("{}; did you mean {}?", one_of(names), beginning(&name, LONGEST_NAME)),
@@ -146,14 +146,14 @@ pub(crate) fn one_of_with_hint(names: &[&str], written: &str) -> String {
     }
 }
 
-/// Returns the words for a list of so many numbers.
+/// Returns the text for a list of `count` numbers.
 pub(crate) fn list_of_numbers(count: usize) -> String {
     format!("a list of {count} numbers")
 }
 
-/// The name most similar to `written`, also with other unit aliases, if one is similar enough.
+/// Returns the name most similar to `written`, also with other unit aliases, if one is similar enough.
 pub(crate) fn nearest(names: &[&str], written: &str) -> Option<String> {
-    // The distance takes the product of both lengths.
+    // The time to compute the distance is proportional to the product of both lengths.
     let written = beginning(written, LONGEST_NAME);
     let limit = written.chars().count() / 3;
     let aliases = names.iter().flat_map(|name| units::aliases_of(name));
@@ -165,7 +165,7 @@ pub(crate) fn nearest(names: &[&str], written: &str) -> Option<String> {
     near.min_by_key(|(distance, _)| *distance).filter(|(distance, _)| *distance <= limit).map(|(_, name)| name)
 }
 
-/// Returns the meaning of a YAML parser's message: found and allowed.
+/// Converts a message of the YAML parser to the found value and the allowed form.
 pub(crate) fn syntax(message: &str) -> (String, String) {
     let (found, allowed) = if message.contains("mapping values are not allowed") {
         (
@@ -188,7 +188,7 @@ pub(crate) fn syntax(message: &str) -> (String, String) {
     (found.to_owned(), allowed.to_owned())
 }
 
-/// The first line of a parser's message, without its own copy of the place.
+/// Returns the first line of a parser's message, without the place that it repeats.
 fn shortened_syntax(message: &str) -> &str {
     let line = message.lines().next().unwrap_or_default();
     line.split(" at line ").next().unwrap_or(line)
@@ -200,22 +200,22 @@ fn pair(found: &str, allowed: &str) -> (String, String) {
     (found.to_owned(), allowed.to_owned())
 }
 
-/// A file beyond the parser's budgets.
+/// Returns the text for a file beyond the parser's limits.
 pub(crate) fn too_much() -> (String, String) {
     pair("a file that is too deep or too large", "at most 64 levels and 250000 values")
 }
 
-/// A file of several documents.
+/// Returns the text for a file with several documents.
 pub(crate) fn second_document() -> (String, String) {
     pair("a second document after ---", "one scenario in a file")
 }
 
-/// An alias without its anchor.
+/// Returns the text for an alias without its anchor.
 pub(crate) fn unknown_anchor() -> (String, String) {
     pair("an alias (*name) without its anchor (&name)", "an alias whose anchor is defined before it")
 }
 
-/// A field whose name is null, a list or a map.
+/// Returns the text for a field whose name is null, a list or a map.
 pub(crate) fn not_a_name() -> (String, String) {
     pair("a field whose name is not a text", "name: value")
 }
@@ -244,7 +244,7 @@ pub(crate) const ON_THE_WORLD: &str = "world, for a part that floats, is moored 
 pub(crate) const LEVEL: &str = "roll and pitch 0";
 pub(crate) const REQUIRED: &str = "a value: this field is required";
 
-/// The allowed names of an override; `paths` are those of fields that have the name that was written.
+/// Returns the allowed names of an override; `paths` are those of the fields with the written name.
 pub(crate) fn parameter_or_path(parameters: &[&str], written: &str, paths: &[String]) -> String {
     let allowed = match parameters {
         [] => "a dotted path of a field: the scenario has no parameters".to_owned(),
@@ -254,12 +254,12 @@ pub(crate) fn parameter_or_path(parameters: &[&str], written: &str, paths: &[Str
     if paths.is_empty() { allowed } else { format!("{allowed}; did you mean {}?", paths.join(" or ")) }
 }
 
-/// The words for a parameter that needs a default because the field that it writes is not in the file.
+/// Returns the text for a parameter that needs a default because the field that it writes is not in the file.
 pub(crate) fn default_for(path: &str) -> String {
     format!("a default, or one value at {}", shortened(path))
 }
 
-/// The words for a path to a field that does not exist.
+/// Returns the text for a path to a field that does not exist.
 pub(crate) fn no_field(name: &str, parent: &str) -> String {
     let kind = if name.parse::<usize>().is_ok() { "entry" } else { "field" };
     match parent {
@@ -268,17 +268,17 @@ pub(crate) fn no_field(name: &str, parent: &str) -> String {
     }
 }
 
-/// A kind that needs its fields: `box: {...}`.
+/// Returns the form of a kind that needs its fields: `box: {...}`.
 pub(crate) fn with_fields(kind: &str) -> String {
     format!("{kind} with its fields, {kind}: {{...}}")
 }
 
-/// A kind without fields.
+/// Returns the form of a kind without fields.
 pub(crate) fn without_fields(kind: &str) -> String {
     format!("the word {kind}, without fields")
 }
 
-/// The allowed continuations of a path, within a value with these names.
+/// Returns the allowed continuations of a path, within a value with these names.
 pub(crate) fn inside(value: Option<&Value>, names: &[&str], written: &str) -> String {
     match value {
         Some(Value::Array(entries)) => match entries.len() {

@@ -1,14 +1,15 @@
-//! Writes the types of a file as values. `#[fields]` implements [`ToValue`] for a type with fields or kinds.
+//! Conversion of the types of a file to values. `#[fields]` implements [`ToValue`] for a type with fields or
+//! kinds.
 
 use std::fmt::Display;
 
 use indexmap::IndexMap;
 use serde_json::{Map, Value};
 
-/// A type that is written to a file. Values are written by one function for each type; serde would compile every type once
-/// for each of its serializers.
+/// A type that can be written to a file. Each type has one function that returns its value; with serde, every
+/// type would be compiled once for each serializer.
 pub trait ToValue {
-    /// The value in a file.
+    /// Returns the value for a file.
     fn to_value(&self) -> Value;
 }
 
@@ -17,12 +18,12 @@ pub(crate) fn field(fields: &mut Map<String, Value>, name: &str, value: &dyn ToV
     fields.insert(name.to_owned(), value.to_value());
 }
 
-/// A kind without fields: its name.
+/// Returns a kind without fields: its name.
 pub(crate) fn kind(name: &str) -> Value {
     Value::String(name.to_owned())
 }
 
-/// A kind with fields, under its name.
+/// Returns a kind with fields, under its name.
 pub(crate) fn kind_with_fields(name: &str, given: &dyn ToValue) -> Value {
     let mut fields = Map::new();
     field(&mut fields, name, given);
@@ -33,7 +34,7 @@ macro_rules! by_serde {
     ($($type:ty),*) => {$(
         impl ToValue for $type {
             fn to_value(&self) -> Value {
-                // Such a type is a plain number, a text or a boolean: it always has a value.
+                // A plain number, a text or a boolean always has a value.
                 serde_json::to_value(self).unwrap_or_default()
             }
         }

@@ -1,4 +1,4 @@
-//! The sea and what floats in it: waves, hulls, and their data from potential theory.
+//! The sea and floating bodies: waves, hulls, and hull data from potential theory.
 
 pub mod database;
 pub mod hull;

@@ -5,7 +5,8 @@ use crate::elements::{DrawnLine, LineStyle};
 use crate::model::Joint;
 
 impl Simulation {
-    /// The lines to draw: a rope for each body that hangs on its joint, and the lines of the elements.
+    /// Returns the lines to draw: a rope for each body that hangs on its joint, and the lines of the
+    /// elements.
     pub fn lines(&self) -> Vec<DrawnLine> {
         let rope = |(_, joint): (usize, &Joint)| DrawnLine {
             name: joint.name.clone(),
@@ -16,7 +17,8 @@ impl Simulation {
         self.hanging().map(rope).chain(self.plant.layout().lines.iter().cloned()).collect()
     }
 
-    /// The points of [`lines`](Self::lines) now, one after another: x, y and z of each, m, world.
+    /// Returns the end points of [`lines`](Self::lines) at the present time, in the same order: x, y and z of
+    /// each, m, world.
     pub fn line_points(&mut self) -> Vec<f64> {
         let mut points = Vec::new();
         let hanging: Vec<(usize, [f64; 3])> =
@@ -30,7 +32,8 @@ impl Simulation {
         points
     }
 
-    /// Bodies that turn about two or more axes of a joint away from their centre: they hang as on a massless rope.
+    /// Returns the bodies that can swing about a joint outside their centre of mass, each with its joint:
+    /// they hang as on a massless rope.
     fn hanging(&self) -> impl Iterator<Item = (usize, &Joint)> {
         let hangs = |joint: &Joint| joint.kind.swings() && joint.kind.to_child().norm() > 0.0;
         self.plant.model.joints.iter().enumerate().filter(move |(_, joint)| hangs(joint))

@@ -1,4 +1,4 @@
-//! Errors that end a run early, and errors of values from outside.
+//! Errors that end a run early, and errors of values that a caller gives.
 
 use crate::dynamics::loops::{LARGEST_GAP, LoopFault, SMALLEST_PIVOT};
 use crate::integrate::{StepError, shown};
@@ -20,13 +20,13 @@ pub enum RunError {
         time_s: f64,
         /// The body whose joint diverges.
         body: String,
-        /// The coordinate.
+        /// The coordinate that diverges.
         coordinate: String,
         /// `rate` or `position`.
         quantity: &'static str,
-        /// The value found.
+        /// The value that is not finite or beyond the limit.
         value: f64,
-        /// `rate_limit`.
+        /// Name of the setting that limits the quantity: `rate_limit`.
         limit: f64,
     },
     /// A number of a row is not finite.
@@ -36,12 +36,12 @@ pub enum RunError {
         time_s: f64,
         /// The column.
         column: String,
-        /// The value found.
+        /// The value that is not finite.
         value: f64,
     },
     /// A closed loop has reached a singular position: a dead centre.
     #[error(
-        "singular at {} s: constraint {constraint} of loop {name} depends on the others here, or moves nothing \
+        "singular at {} s: constraint {constraint} of loop {name} depends on the others here, or no coordinate affects it \
          (its pivot over that at the start is {pivot:.1e}), allowed: more than {allowed:e}",
         shown(*time_s)
     )]
@@ -52,9 +52,9 @@ pub enum RunError {
         name: String,
         /// Its constraint.
         constraint: String,
-        /// The pivot of J M*^-1 J^T against its diagonal at the start.
+        /// Pivot of J M*^-1 J^T, as a ratio to its diagonal entry at the start of the run.
         pivot: f64,
-        /// The smallest that is allowed.
+        /// Smallest allowed pivot.
         allowed: f64,
     },
     /// A closed loop cannot be closed: its end is out of reach.
@@ -69,11 +69,11 @@ pub enum RunError {
         name: String,
         /// Its constraint.
         constraint: String,
-        /// Its error, m or rad.
+        /// Error of the constraint, m or rad.
         gap: f64,
-        /// `m` or `rad`.
+        /// Unit of the error: `m` or `rad`.
         unit: &'static str,
-        /// Limit of the gap, in the same unit.
+        /// Limit of the error, in the same unit.
         allowed: f64,
     },
     /// An element responds to infinitely many events at one time.
@@ -82,57 +82,59 @@ pub enum RunError {
         shown(*time_s)
     )]
     TooManyEvents {
-        /// When, s.
+        /// Time of the events, s.
         time_s: f64,
         /// The element.
         element: String,
         /// Description of the event.
         what: &'static str,
-        /// The largest number of responses.
+        /// Largest number of responses at one time.
         allowed: usize,
     },
-    /// An event in one of several runs in lanes: its time differs from that of the others.
+    /// An event occurs in one of several runs that are stepped together in lanes: the other runs have it at
+    /// another time.
     #[error("event before {} s: found several runs in lanes, allowed: one run", shown(*time_s))]
     EventNotAlone {
         /// End of its step, s.
         time_s: f64,
     },
-    /// An inextensible rope carries what others already carry, or nothing that can move.
+    /// The tension of an inextensible rope is not determined: other ropes carry the same load, or nothing on
+    /// the rope can move.
     #[error(
-        "not determined at {} s: how much the inextensible rope {name} carries, because other ropes or loops hold the same, or nothing that can move hangs on it (its relative pivot is {pivot:.1e}), allowed: more than {allowed:e}, or a rope with \
+        "not determined at {} s: the tension of the inextensible rope {name}, because other ropes or loops carry the same load, or nothing on the rope can move (its relative pivot is {pivot:.1e}), allowed: more than {allowed:e}, or a rope with \
          axial_stiffness_N",
         shown(*time_s)
     )]
     UndeterminedRope {
-        /// When, s.
+        /// Time of the error, s.
         time_s: f64,
         /// The rope.
         name: String,
-        /// Its pivot.
+        /// Pivot of the rope's constraint.
         pivot: f64,
-        /// The smallest pivot that is not singular.
+        /// Smallest pivot that is not singular.
         allowed: f64,
     },
-    /// An inextensible rope is shorter than its path, and nothing on it can yield.
+    /// An inextensible rope is shorter than its path, and nothing on it can move to shorten the path.
     #[error(
-        "too short at {} s: the inextensible rope {name} is {gap:.3e} m shorter than its path, and what it holds cannot follow, \
+        "too short at {} s: the inextensible rope {name} is {gap:.3e} m shorter than its path, and its load cannot follow, \
          allowed: less than {allowed:e} m",
         shown(*time_s)
     )]
     ShortRope {
-        /// When, s.
+        /// Time of the error, s.
         time_s: f64,
         /// The rope.
         name: String,
         /// The missing length, m.
         gap: f64,
-        /// The largest that counts as taut, m.
+        /// Largest missing length for which the rope counts as taut, m.
         allowed: f64,
     },
-    /// A steering element cannot continue: a step of an operation does not end within its time.
+    /// A steering element cannot continue, for example because a step of an operation exceeds its time limit.
     #[error("{element} at {} s: {why}", shown(*time_s))]
     Steering {
-        /// When, s.
+        /// Time of the error, s.
         time_s: f64,
         /// The element.
         element: String,
@@ -145,7 +147,8 @@ pub enum RunError {
 }
 
 impl RunError {
-    /// The error of a loop with the names of the model; the constraints of taut ropes follow those of the loops.
+    /// Converts the error of a loop to one with the names of the model; constraints of taut ropes are
+    /// numbered after those of the loops.
     pub(super) fn of_loop<S: Scalar>(time_s: f64, plant: &Plant<S>, fault: LoopFault) -> Self {
         let model = &plant.model;
         let rope = |constraint: usize| plant.holds_behind_loops(constraint).map(str::to_owned);
@@ -172,7 +175,8 @@ impl RunError {
         }
     }
 
-    /// Its place and number, if it has one: the body or loop, its coordinate or constraint, the number, and its limit.
+    /// Returns the place and the value of an error, if it has them: body or loop, coordinate or constraint,
+    /// value, and limit.
     pub fn place(&self) -> Option<(String, String, f64, f64)> {
         let length = "length".to_owned();
         let (name, part, value, limit) = match self {
@@ -190,7 +194,7 @@ impl RunError {
         Some((name.clone(), part.clone(), *value, *limit))
     }
 
-    /// When, s.
+    /// Time of the error, s.
     pub fn time_s(&self) -> f64 {
         match self {
             Self::Diverged { time_s, .. }
@@ -207,10 +211,10 @@ impl RunError {
     }
 }
 
-/// A value from outside that a simulation cannot accept.
+/// A value that a caller gives and that the simulation cannot accept.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum InputError {
-    /// No input of this name.
+    /// No input has this name.
     #[error("input {found}: no such input, allowed: {allowed}")]
     Unknown {
         /// The name that was given.
@@ -218,7 +222,7 @@ pub enum InputError {
         /// The existing names.
         allowed: String,
     },
-    /// A value outside its limits, or NaN.
+    /// A value of an input outside its limits, or NaN.
     #[error("input {name}: found {found}, allowed: {lower} to {upper}")]
     Range {
         /// The input.
@@ -230,16 +234,16 @@ pub enum InputError {
         /// Largest value.
         upper: f64,
     },
-    /// A wire sets it.
-    #[error("input {name}: found a value by hand, allowed: none, as it takes {signal}")]
+    /// The input is connected to a signal, which sets it.
+    #[error("input {name}: found a value from the user, allowed: none, because it is connected to {signal}")]
     Wired {
         /// The input.
         name: String,
-        /// The signal that it takes.
+        /// The signal to which it is connected.
         signal: String,
     },
-    /// Other waves for a body that is moved by waves: it would jump.
-    #[error("waves: found other waves, allowed: those of the run, because a body moves with them and would jump")]
+    /// Other waves for a body whose motion follows the waves: its position would jump.
+    #[error("waves: found other waves, allowed: those of the run, because they move a body, which would jump")]
     MovedByWaves,
     /// An array of the wrong length.
     #[error("{name}: found {found} numbers, allowed: {allowed}")]
@@ -275,7 +279,7 @@ pub enum InputError {
     },
 }
 
-/// An error unless an array has the right length and finite entries.
+/// Returns an error unless an array has the right length and finite entries.
 pub(super) fn check_array(name: &'static str, values: &[f64], allowed: usize) -> Result<(), InputError> {
     if values.len() != allowed {
         return Err(InputError::Length { name, found: values.len(), allowed });

@@ -1,4 +1,5 @@
-//! Events: if an indicator changes sign within a step, the step ends there and the element responds.
+//! Events: if an indicator changes sign within a step, the step is divided at this time and the element
+//! responds.
 
 use super::{RunError, Simulation, stage};
 use crate::elements::{Crossing, Watched};
@@ -8,31 +9,31 @@ use crate::state::State;
 use serde::Serialize;
 use std::borrow::Cow;
 
-/// An event in a run.
+/// An event of a run.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct EventRecord {
-    /// When, s.
+    /// Time of the event, s.
     pub time_s: f64,
-    /// The element that watched for it.
+    /// The element that declares the indicator.
     pub element: String,
     /// Description of the event.
     pub what: Cow<'static, str>,
 }
 
-/// Tolerance of located times, s; or the rounding of the time if that is larger.
+/// Tolerance of the located time of an event, s; the rounding error of the time if that is larger.
 const TIME_TOLERANCE_S: f64 = 1e-12;
-/// Largest number of events in one step: more would never end.
+/// Largest number of events in one step; beyond it, the events of an element are taken to be infinitely many.
 const MOST_EVENTS: usize = 1000;
-/// Share of a step over which the rate of an indicator is found, by central differences.
+/// Step of the central differences that give the rate of an indicator, as a share of the time step.
 const RATE_STEP: f64 = 1e-2;
-/// Largest number of trials: a smooth indicator is located in far fewer.
+/// Largest number of trials to locate an event; a smooth indicator needs far fewer.
 const MOST_TRIALS: usize = 200;
 
-/// Working memory for events, and their table.
+/// Working memory for the location of events, and the table of events.
 #[derive(Clone, Debug)]
 pub(super) struct Watch<S> {
     records: Vec<EventRecord>,
-    /// For each event its step, counted from 1.
+    /// Step of each event, counted from 1.
     of_step: Vec<u64>,
     /// Number of events in the present step.
     in_step: usize,
@@ -40,16 +41,17 @@ pub(super) struct Watch<S> {
     before: Vec<S>,
     low: Vec<S>,
     now: Vec<S>,
-    /// The state at the start of the interval, and at its end.
+    /// State at the start of the interval, and at its end.
     start: State<S>,
     end: State<S>,
 }
 
-/// The part of an interval that contains an event: indicators have not changed sign at `low`, and have at `high`.
+/// Part of an interval that contains an event: no indicator has changed sign at `low`, at least one has at
+/// `high`.
 struct Bracket {
     low_s: f64,
     high_s: f64,
-    /// The indicator whose event seems to be first, and its values at both ends.
+    /// The indicator that is estimated to change sign first, and its values at both ends.
     indicator: usize,
     values: [f64; 2],
 }
@@ -82,20 +84,21 @@ impl<S: Scalar> Watch<S> {
         self.in_step = 0;
     }
 
-    /// Removes events after this number of steps from the table.
+    /// Removes from the table the events after this number of steps.
     pub(super) fn forget_after(&mut self, steps: u64) {
         let kept = self.of_step.partition_point(|step| *step <= steps);
         self.records.truncate(kept);
         self.of_step.truncate(kept);
     }
 
-    /// Whether an indicator has crossed since the interval began, in any lane.
+    /// Returns whether an indicator has changed sign since the start of the interval, in any lane.
     fn crossed(&self, watched: &[Watched]) -> bool {
         let mut pairs = watched.iter().zip(self.before.iter().zip(&self.now));
         pairs.any(|(watched, (before, now))| !crossed(watched.crossing, *before, *now).all(|crossed| crossed == 0.0))
     }
 
-    /// The indicator that crosses first by linear interpolation from the lower end, with its values there and now.
+    /// Returns the indicator that changes sign first by linear interpolation from the lower end, with its
+    /// values there and at the present state.
     fn first(&self, watched: &[Watched]) -> Option<(usize, [f64; 2])> {
         let pairs = watched.iter().zip(self.low.iter().zip(&self.now)).enumerate();
         let crossed = pairs.filter_map(|(i, (watched, (low, now)))| {
@@ -106,12 +109,12 @@ impl<S: Scalar> Watch<S> {
     }
 }
 
-/// The zero of a straight line between two values, as a share of the interval.
+/// Returns the zero of the straight line through two values, as a share of the interval.
 fn share([low, high]: [f64; 2]) -> f64 {
     low / (low - high)
 }
 
-/// 1 where an indicator has crossed, 0 where it has not, by lane.
+/// Returns, for each lane, 1 if an indicator has changed sign and 0 if it has not.
 fn crossed<S: Scalar>(crossing: Crossing, before: S, now: S) -> S {
     let rising =
         |before: S, now: S| before.select_below(0.0, || now.select_below(0.0, || S::ZERO, || S::ONE), || S::ZERO);
@@ -123,8 +126,8 @@ fn crossed<S: Scalar>(crossing: Crossing, before: S, now: S) -> S {
 }
 
 impl<S: Scalar> Simulation<S> {
-    /// Steps over an interval, or to the first event in it, to which its element then responds; returns the time
-    /// reached.
+    /// Steps to the end of an interval, or to the first event in it, and lets the elements respond to the
+    /// event; returns the time reached.
     pub(super) fn step_to_event(&mut self, interval: Interval, edge_s: f64) -> Result<f64, RunError> {
         if self.watch.before.is_empty() {
             self.scheme.step(&mut self.plant, interval, edge_s, &mut self.state)?;
@@ -153,8 +156,8 @@ impl<S: Scalar> Simulation<S> {
         self.plant.event_indicators(at, &mut self.watch.now);
     }
 
-    /// Moves the state to the first time in an interval at which an indicator has changed sign, by secants with a bisection in
-    /// between; both ends of the last bracket are within the tolerance.
+    /// Moves the state to the first time in an interval at which an indicator has changed sign, by the secant
+    /// method with bisection steps in between; both ends of the last bracket are within the tolerance.
     fn locate(&mut self, interval: Interval, edge_s: f64) -> Result<f64, RunError> {
         let Interval { start_s, end_s } = interval;
         let tolerance_s = TIME_TOLERANCE_S.max(4.0 * f64::EPSILON * end_s.abs());
@@ -195,8 +198,8 @@ impl<S: Scalar> Simulation<S> {
         Ok(())
     }
 
-    /// Lets the elements respond to their events, in the order of their declaration. Events of one time share the motion before
-    /// them: all their delays are found before the first response.
+    /// Lets the elements respond to their events, in the order of their declaration. Events at the same time
+    /// see the motion before all of them: their delays are computed before the first response.
     fn answer(&mut self, interval: Interval, time_s: f64) -> Result<(), RunError> {
         let end_s = time_s + self.settings.step_s;
         let after = Interval { start_s: time_s, end_s: self.next_edge_s(time_s, end_s).min(end_s) };
@@ -219,7 +222,8 @@ impl<S: Scalar> Simulation<S> {
         Ok(())
     }
 
-    /// Records the events that a response, or a change from outside, has caused at a time; `of_step` is counted from 1.
+    /// Records at a time the events that a response, or a change from outside, has caused; `of_step` is
+    /// counted from 1.
     pub(super) fn note_brought_about(&mut self, time_s: f64, of_step: u64) {
         for watched in self.plant.brought_about() {
             let element = self.plant.layout().names[watched.element].clone();
@@ -232,8 +236,8 @@ impl<S: Scalar> Simulation<S> {
 /// moves the state by `f dt` up to the event and by `-f+ dt` from there (the saltation matrix: Leine & Nijmeijer,
 /// *Dynamics and Bifurcations of Non-Smooth Mechanical Systems*, 2004, sec. 7.2).
 impl<S: Scalar> Simulation<S> {
-    /// The indicators that have crossed, in the order of their declaration, and dt of each: its value is 0, it carries the
-    /// derivatives.
+    /// Returns the indicators that have changed sign, in the order of their declaration, with dt of each: dt
+    /// has the value 0 and carries the derivatives.
     fn delays(&mut self, interval: Interval, time_s: f64) -> Vec<(usize, S)> {
         let watched = &self.plant.layout().watched;
         let pairs = watched.iter().zip(self.watch.before.iter().zip(&self.watch.now)).enumerate();
@@ -252,7 +256,7 @@ impl<S: Scalar> Simulation<S> {
         crossed.into_iter().map(delay).collect()
     }
 
-    /// The indicators where the state has moved along its present rates for a time.
+    /// Returns the indicators after the state has moved for a time at its present rates.
     fn indicators_at(&mut self, interval: Interval, time_s: f64, by_s: f64) -> Vec<S> {
         self.watch.start.copy_from(&self.state);
         self.drift(interval, time_s, S::constant(by_s));
@@ -278,8 +282,8 @@ impl<S: Scalar> Simulation<S> {
 }
 
 impl Bracket {
-    /// The next time to try: every third time by bisection, else the zero of the secant, shifted by the tolerance
-    /// towards the farther end so that both ends converge.
+    /// Returns the next time to try: at every third trial by bisection, otherwise the zero of the secant,
+    /// shifted by the tolerance towards the farther end so that both ends converge.
     fn guess(&self, trial: usize, tolerance_s: f64) -> f64 {
         let width = self.high_s - self.low_s;
         let middle = self.low_s + 0.5 * width;

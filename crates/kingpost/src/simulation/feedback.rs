@@ -1,4 +1,5 @@
-//! Small motions with the feedback of the elements that state a linear law: which modes grow.
+//! Stability of small motions with feedback: the growing modes of a model with the linear control laws of its
+//! elements.
 
 use super::sampled_loops::{FeedbackLoop, HeldInputs, Sensed, fastest, vector};
 use super::small_motions::{Changed, DIFFERENCE};
@@ -12,30 +13,32 @@ use nalgebra::{Complex, DMatrix, DVector};
 /// A mode that grows with feedback.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GrowingMode {
-    /// The coordinate with the largest kinetic energy, each taken by itself.
+    /// The coordinate with the largest kinetic energy in the mode, each coordinate considered alone.
     pub coordinate: String,
     /// Time between two maxima, s; `None` if it does not oscillate.
     pub period_s: Option<f64>,
-    /// Time in which it grows e-fold, s.
+    /// Time in which the amplitude grows by a factor of e, s.
     pub growth_time_s: f64,
-    /// The elements without which it does not grow so; empty if it grows without any of them too.
+    /// The elements whose feedback causes the growth: without it the mode grows more slowly or not at all.
+    /// Empty if the mode also grows without any feedback.
     pub because_of: Vec<String>,
 }
 
-/// Modes that grow more slowly than this count as standing still, 1/s: free motions have zero eigenvalues in pairs, which
-/// differences find to the root of their error.
+/// Growth rate below which a mode counts as not growing, 1/s: free motions have zero eigenvalues in pairs,
+/// and differences find these with the square root of their error.
 const SLOWEST_GROWTH: f64 = 1e-3;
-/// A law is the reason if without it nothing grows at more than this share of the rate.
+/// A control law causes the growth if, without it, no mode grows faster than this share of the rate.
 const SHARE: f64 = 0.5;
 impl Simulation {
-    /// The mode that grows fastest from here with the feedback of all elements that state a
-    /// [linear law](crate::elements::Element::linear_law); `None` if none grows, or nothing is fed back.
+    /// Returns the fastest-growing mode about the present state, with the feedback of all elements that have
+    /// a [linear law](crate::elements::Element::linear_law); `None` if no mode grows, or there is no
+    /// feedback.
     ///
-    /// Between samples `x' = A x + B u` with u held, so `x -> e^(A h) x + (integral of e^(A s) ds) B u` (Franklin, Powell &
-    /// Workman, *Digital Control of Dynamic Systems*, 3rd ed., 1998, sec. 4.3), at a sample `u = G C x + H (sum of C x T)`.
-    /// The eigenvalues z of the map over a time in which all laws begin anew are those of modes that grow by |z|. A, B and C
-    /// are by differences, in still water and with prescribed motions held; sensors are taken as exact, with their
-    /// delays.
+    /// Between samples `x' = A x + B u` with u held, so `x -> e^(A h) x + (integral of e^(A s) ds) B u`
+    /// (Franklin, Powell & Workman, *Digital Control of Dynamic Systems*, 3rd ed., 1998, sec. 4.3), at a
+    /// sample `u = G C x + H (sum of C x T)`. An eigenvalue z of the map over a common period of all laws
+    /// belongs to a mode that grows by the factor |z|. A, B and C are computed by differences, in still water
+    /// and with prescribed motions held; sensors have no errors but their delays.
     pub fn growing_with_feedback(&mut self) -> Option<GrowingMode> {
         let laws = self.laws();
         if laws.is_empty() || self.plant.model.velocity_count > MOST_DENSE {
@@ -63,20 +66,21 @@ impl Simulation {
         let turn = libm::atan2(value.im, value.re).abs();
         Some(GrowingMode {
             coordinate: self.moves_most(&map, value),
-            // Below 1e-6 of half a circle the turn of an eigenvalue is rounding: the mode grows without oscillation.
+            // An angle of an eigenvalue below 1e-6 of half a turn is rounding: the mode grows without
+            // oscillation.
             period_s: (turn > 1e-6 * PI).then(|| TAU * time_s / turn),
             growth_time_s: 1.0 / rate,
             because_of: because.into_iter().map(|one| one.name.clone()).collect(),
         })
     }
 
-    /// The laws, each with the number of the steering element.
+    /// Returns the linear laws, each with the number of its steering element.
     fn laws(&self) -> Vec<(usize, LinearLaw)> {
         let steers = self.plant.layout().steers.iter().enumerate();
         steers.filter_map(|(k, steer)| Some((k, self.plant.elements()[steer.element].linear_law()?))).collect()
     }
 
-    /// B of the inputs that the laws set, and the laws with C of the columns that they read.
+    /// Returns B of the inputs that the laws set, and the laws with C of the columns that they read.
     fn loops(&mut self, laws: Vec<(usize, LinearLaw)>, size: usize) -> (DMatrix<f64>, Vec<FeedbackLoop>) {
         let (mut columns, mut loops) = (Vec::new(), Vec::new());
         for (steer, law) in laws {
@@ -98,12 +102,12 @@ impl Simulation {
         (DMatrix::from_columns(&columns), loops)
     }
 
-    /// The input of no controller to which an input is passed on at once, itself if it is that of none; `None` if a controller
-    /// in between does not pass it.
+    /// Returns the final input to which controllers pass an input on without delay: the input itself if it
+    /// belongs to no controller; `None` if a controller in between does not pass it on.
     fn passed_to(&self, input: usize) -> Option<usize> {
         let layout = self.plant.layout();
         let mut at = input;
-        // Each controller stands before the next: there are no circles.
+        // Each controller precedes the next one, so the search ends.
         while let Some(steer) = layout.steers.iter().find(|steer| layout.slices[steer.element].inputs.contains(&at)) {
             let first = layout.slices[steer.element].inputs.start;
             let passed = self.plant.elements()[steer.element].passes_to(at - first)?;
@@ -112,8 +116,9 @@ impl Simulation {
         Some(at)
     }
 
-    /// How the columns that a steering element reads at every so many steps are sensed, if they are those of sensors. A value
-    /// that is held for longer than that is half the rest older on average.
+    /// Returns, for each column that a steering element reads, how its sensor delivers it; `every` is the
+    /// interval between readings in steps. A value that is held for longer than this interval is older on
+    /// average, by half the difference.
     fn sensed(&self, steer: usize, every: u64) -> Vec<Option<Sensed>> {
         let layout = self.plant.layout();
         let signals = layout.signals();
@@ -130,7 +135,7 @@ impl Simulation {
         libm::round(period_s / self.settings.step_s).max(1.0) as u64
     }
 
-    /// The columns that a steering element reads, by a state.
+    /// Returns the derivatives of the columns that a steering element reads, with respect to the states.
     fn columns_by_state(&mut self, steer: usize, state: usize) -> DVector<f64> {
         let [more, less] = [DIFFERENCE, -DIFFERENCE].map(|change| self.columns_with(steer, state, change));
         (more - less) / (2.0 * DIFFERENCE)
@@ -148,7 +153,7 @@ impl Simulation {
         DVector::from_vec(read)
     }
 
-    /// The coordinate with the largest kinetic energy in a mode of the map.
+    /// Returns the coordinate with the largest kinetic energy in a mode of the map.
     fn moves_most(&mut self, map: &DMatrix<f64>, value: Complex<f64>) -> String {
         let names = self.coordinates();
         let masses: Vec<f64> = self.mass_matrix().into_iter().step_by(names.len() + 1).collect();

@@ -1,4 +1,4 @@
-//! Reading and setting from outside: state, snapshots, inputs, poses, matrices.
+//! Access for callers: reads and sets state, snapshots and inputs; returns poses and matrices.
 
 use super::errors::check_array;
 use super::{Input, InputError, Setup, Simulation, Watching, stage};
@@ -8,12 +8,11 @@ use crate::plant::{Number, Plant, Tangent};
 use crate::spatial::{Frame, Quaternion};
 use crate::state::{SnapshotError, State};
 
-/// Closed loops of a state from outside may be open by less than this, m or rad: the next step
-/// closes them.
+/// Largest gap of a closed loop in a state that a caller sets, m or rad: the next step closes it.
 pub(super) const LARGEST_GAP_GIVEN: f64 = 1e-6;
 
 impl Simulation {
-    /// Gives an implicit scheme exact derivatives, from the same setup over dual numbers; without them it takes
+    /// Gives an implicit scheme exact derivatives, from the same setup over dual numbers; otherwise it uses
     /// differences.
     pub fn differentiate_with(&mut self, setup: Setup<Number>) {
         let Setup { model, world, elements, q, v, .. } = setup;
@@ -22,7 +21,7 @@ impl Simulation {
         self.plant.differentiate_with(Tangent::new(plant));
     }
 
-    /// A simulation at time 0.
+    /// Creates a simulation at time 0.
     pub fn new(setup: Setup) -> Self {
         let form = setup.settings.form;
         let of_elements = setup.elements.iter().flat_map(|element| element.watchers());
@@ -33,7 +32,7 @@ impl Simulation {
         simulation
     }
 
-    /// Position (m) and unit quaternion (w, x, y, z) of every body, world; seven numbers a body.
+    /// Returns position (m) and unit quaternion (w, x, y, z) of every body, world; seven numbers per body.
     pub fn poses(&mut self) -> Vec<f64> {
         let bodies = self.plant.body_kinematics(&self.state.q, &self.state.v);
         let pose = |frame: &Frame| {
@@ -44,13 +43,14 @@ impl Simulation {
         bodies.world.iter().flat_map(pose).collect()
     }
 
-    /// Elevation of the incident waves now, m, at every grid point of x and y, world, m: along the first x first.
+    /// Returns the elevation of the incident waves at the present time, m, at every grid point of x and y,
+    /// world, m: first all points of the first x.
     pub fn surface(&self, x: &[f64], y: &[f64]) -> Vec<f64> {
         self.plant.world.elevations_m(x, y, self.time_s())
     }
 
-    /// Replaces q, v and, if given, s. Without s the ledger begins anew. The rate of a prescribed coordinate holds
-    /// until the next step, which sets it as prescribed.
+    /// Replaces q, v and, if given, s. Without s the ledger restarts. The rate of a prescribed coordinate
+    /// applies only until the next step, which sets the prescribed value.
     pub fn set_state(&mut self, q: &[f64], v: &[f64], s: Option<&[f64]>) -> Result<(), InputError> {
         let mut next = self.state.clone();
         next.q = q.to_vec();
@@ -79,7 +79,7 @@ impl Simulation {
         Ok(())
     }
 
-    /// An error unless q and v are a motion of this model.
+    /// Returns an error unless q and v are a valid motion of this model.
     fn check_motion(&self, state: &State) -> Result<(), InputError> {
         let State { q, v, .. } = state;
         let model = &self.plant.model;
@@ -91,7 +91,7 @@ impl Simulation {
         }
         for first in model.quaternions() {
             let norm = libm::sqrt(q[first..first + 4].iter().map(|x| x * x).sum());
-            // Six digits, as files print them.
+            // Six significant digits, as in files.
             if (norm - 1.0).abs() > 1e-6 {
                 return entry("length of the quaternion that begins at q", first, norm, "1");
             }
@@ -99,13 +99,13 @@ impl Simulation {
         Ok(())
     }
 
-    /// The state as bytes.
+    /// Returns the state as bytes.
     pub fn snapshot(&self) -> Vec<u8> {
         self.state.snapshot(self.fingerprint)
     }
 
-    /// Continues from a snapshot of a simulation with the same setup, to the same bits; on an error
-    /// nothing changes.
+    /// Restores the state from a snapshot of a simulation with the same setup; the run continues bitwise
+    /// identically. On an error nothing changes.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), SnapshotError> {
         let mut next = self.state.clone();
         next.restore(bytes, self.fingerprint)?;
@@ -122,7 +122,7 @@ impl Simulation {
         self.limits.begin_anew();
     }
 
-    /// All inputs with their present values.
+    /// Returns all inputs with their present values.
     pub fn inputs(&self) -> Vec<Input> {
         let layout = self.plant.layout();
         let now = |(i, (input, value)): (usize, (&Input, &f64))| Input {
@@ -133,7 +133,7 @@ impl Simulation {
         layout.inputs.iter().zip(&self.state.d).enumerate().map(now).collect()
     }
 
-    /// Sets an input from the next step on.
+    /// Sets an input, with effect from the next step.
     pub fn set_input(&mut self, name: &str, value: f64) -> Result<(), InputError> {
         let inputs = &self.plant.layout().inputs;
         let Some(i) = inputs.iter().position(|input| input.name == name) else {
@@ -155,19 +155,20 @@ impl Simulation {
         Ok(())
     }
 
-    /// Names of the free coordinates: the rows of M*, N* and F*.
+    /// Returns the names of the free coordinates: the rows of M*, N* and F*.
     pub fn coordinates(&self) -> Vec<String> {
         let names = self.plant.model.coordinate_names();
         self.plant.model.free_coordinates().into_iter().map(|i| names[i].clone()).collect()
     }
 
-    /// SI unit of each free coordinate: m, or rad where it turns.
+    /// Returns the SI unit of each free coordinate: m for a translation, rad for a rotation.
     pub fn coordinate_units(&self) -> Vec<&'static str> {
         let turns = self.plant.model.turning_coordinates();
         self.plant.model.free_coordinates().into_iter().map(|i| if turns[i] { "rad" } else { "m" }).collect()
     }
 
-    /// Accelerations of the free coordinates now, with `tau` (N or N m by free coordinate) added.
+    /// Returns the accelerations of the free coordinates at the present state, with the generalized forces
+    /// `tau` (N or N m per free coordinate) added.
     pub fn acceleration(&mut self, tau: Option<&[f64]>) -> Result<Vec<f64>, InputError> {
         let free = self.plant.model.free_coordinates();
         let mut everywhere = vec![0.0; self.state.v.len()];
@@ -180,24 +181,25 @@ impl Simulation {
         Ok(free.iter().map(|&i| self.v_dot[i]).collect())
     }
 
-    /// Every matrix of the moving frame method now.
+    /// Returns every matrix of the moving frame method at the present state.
     pub fn moving_frame(&mut self) -> MovingFrame {
         let at = stage(self.interval(), &self.state);
         self.plant.matrices(at)
     }
 
-    /// Returns every matrix of the moving frame method now, with labels and units, and the formulas of the matrices.
+    /// Returns every matrix of the moving frame method at the present state, with labels and units, and the
+    /// formulas of the matrices.
     pub fn equations(&mut self) -> Equations {
         let matrices = self.moving_frame().named(self.model());
         Equations { matrices, formulas: Symbols::new(self.model(), Naming::Numbers).matrices() }
     }
 
-    /// M* by rows (kg, kg m, kg m^2).
+    /// Returns M* by rows (kg, kg m, kg m^2).
     pub fn mass_matrix(&mut self) -> Vec<f64> {
         self.moving_frame().m_star.as_slice().to_vec()
     }
 
-    /// N* q': the velocity terms (N, N m).
+    /// Returns N* q', the velocity-dependent terms (N, N m).
     pub fn bias_force(&mut self) -> Vec<f64> {
         self.moving_frame().bias_force().as_slice().to_vec()
     }

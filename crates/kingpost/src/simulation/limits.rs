@@ -1,4 +1,4 @@
-//! The limits that a run is checked against.
+//! Limits against which the results of a run are checked.
 
 use crate::results::Channels;
 use crate::scalar::Scalar;
@@ -13,13 +13,13 @@ pub struct Limit {
     pub column: String,
     /// Unit of the bounds, and its value in the column's SI unit.
     pub unit: (String, f64),
-    /// The smallest and the largest value that are allowed.
+    /// Lower and upper bound; `None` if there is none.
     pub bounds: [Option<f64>; 2],
     /// Time from which it applies, s.
     pub from_s: f64,
 }
 
-/// Whether a limit held in the rows of a run so far.
+/// Result of a limit: whether the rows of a run so far are within it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LimitResult {
@@ -27,21 +27,21 @@ pub struct LimitResult {
     pub name: String,
     /// The column.
     pub column: String,
-    /// Unit of all its numbers.
+    /// Unit of all numbers of this result.
     pub unit: String,
-    /// The smallest value that is allowed.
+    /// Lower bound.
     pub at_least: Option<f64>,
-    /// The largest value that is allowed.
+    /// Upper bound.
     pub at_most: Option<f64>,
-    /// Whether it held; absent if it applied to no row.
+    /// Whether all rows are within the limit; absent if it applied to no row.
     pub held: Option<bool>,
     /// The value nearest to a bound, or farthest beyond one.
     pub worst: Option<f64>,
-    /// When that was, s.
+    /// Time of the worst value, s.
     pub worst_time_s: Option<f64>,
 }
 
-/// Limits, each with its column's place in a row and its worst value so far.
+/// Limits, each with the index of its column in a row and its worst value so far.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Limits {
     held: Vec<Held>,
@@ -51,7 +51,7 @@ pub(super) struct Limits {
 struct Held {
     limit: Limit,
     place: usize,
-    /// Value and time, s.
+    /// Worst value, and its time, s.
     worst: Option<[f64; 2]>,
 }
 
@@ -68,13 +68,13 @@ impl Limit {
 }
 
 impl Limits {
-    /// The limits on existing columns: the scenario has checked them.
+    /// Creates the limits on existing columns: the scenario has checked the names.
     pub(super) fn new(limits: Vec<Limit>, channels: &Channels) -> Self {
         let placed = |limit: Limit| Some(Held { place: channels.place(&limit.column)?, limit, worst: None });
         Self { held: limits.into_iter().filter_map(placed).collect() }
     }
 
-    /// Sees a row.
+    /// Checks the values of a row.
     pub(super) fn see<S: Scalar>(&mut self, row: &[S]) {
         let time_s = row[0].value();
         for Held { limit, place, worst } in self.held.iter_mut().filter(|held| time_s >= held.limit.from_s) {
@@ -85,12 +85,12 @@ impl Limits {
         }
     }
 
-    /// Forgets all rows.
+    /// Removes the results of all rows.
     pub(super) fn begin_anew(&mut self) {
         self.held.iter_mut().for_each(|held| held.worst = None);
     }
 
-    /// The results so far.
+    /// Returns the results so far.
     pub(super) fn results(&self) -> Vec<LimitResult> {
         let result = |Held { limit, worst, .. }: &Held| LimitResult {
             name: limit.name.clone(),
@@ -110,7 +110,7 @@ impl Limits {
 mod tests {
     use super::*;
 
-    /// "At least" and "at most" hold at the bound itself, and at nothing beyond it.
+    /// "At least" and "at most" include the bound itself, and no value beyond it.
     #[test]
     fn a_value_at_its_bound_is_within_the_limit() {
         let limit = |bounds| Limit {

@@ -6,20 +6,20 @@ use crate::elements::AnyElement;
 use crate::world::World;
 
 impl Simulation {
-    /// The elements of the model.
+    /// Returns the elements of the model.
     pub fn elements(&self) -> &[AnyElement] {
         self.plant.elements()
     }
 
-    /// The world outside the model.
+    /// Returns the world outside the model.
     pub fn world(&self) -> &World {
         &self.plant.world
     }
 
-    /// Continues from here with the numbers of another simulation of the same structure. Time, q, v, s and d stay, and
-    /// so do modes, unless elements set them again; the integrator restarts, because its memory belongs to the old law.
-    /// The change of energy and momentum is booked in the ledger as at an event; a reset leads to the start of the
-    /// other simulation.
+    /// Continues from the present state with the parameters of another simulation of the same structure.
+    /// Time, q, v, s, d and the modes of elements are kept, unless elements set them again; the integrator
+    /// restarts, because its memory belongs to the old parameters. The change of energy and momentum is
+    /// entered in the ledger as at an event; a reset returns to the start of the other simulation.
     ///
     /// The table of events records that `what` was set.
     ///

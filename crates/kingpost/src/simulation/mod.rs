@@ -41,30 +41,30 @@ pub(crate) use recording::Recording;
 use steering::Steering;
 use watching::Watching;
 
-/// Steps after which a run reports progress even if no row is due.
+/// Number of steps after which a run reports progress even if no row is due.
 pub const PROGRESS_STEPS: u64 = 1_000;
 
-/// The most free coordinates, or states of the same number of motions, for which matrices of all of them are made: with them
-/// one takes 32 MB, and an analysis keeps a few dozen.
+/// Largest number of free coordinates, or of states of as many motions, for which square matrices are
+/// allocated: one such matrix takes 32 MB, and an analysis keeps a few dozen.
 pub const MOST_DENSE: usize = 2_000;
 
-/// Edges closer than this share of a step count as simultaneous.
+/// Times closer to each other than this share of a step count as simultaneous.
 const EDGE_SLACK: f64 = 1e-9;
 
 /// Recorded rows, and how the run ended.
 #[derive(Clone, Debug)]
 pub struct Run<S = f64> {
-    /// Rows one after another; the columns are those of [`Simulation::channels`].
+    /// Rows in succession; the columns are those of [`Simulation::channels`].
     pub rows: Vec<S>,
-    /// Entries in a row.
+    /// Number of entries in a row.
     pub columns: usize,
     /// The events, in order of time.
     pub events: Vec<EventRecord>,
     /// The warnings.
     pub warnings: Vec<Warning>,
-    /// The results of its limits.
+    /// Results of the scenario's limits.
     pub limits: Vec<LimitResult>,
-    /// An error leaves the rows that came before it.
+    /// How the run ended; after an error the rows before it are kept.
     pub status: Result<(), RunError>,
 }
 
@@ -86,7 +86,7 @@ pub struct Simulation<S: Scalar = f64> {
     channels: Channels,
     state: State<S>,
     initial: State<S>,
-    /// The state before the present step, which is restored if that step diverges.
+    /// State before the present step; it is restored if the step diverges.
     last_good: State<S>,
     v_dot: Vec<S>,
     watch: Watch<S>,
@@ -98,8 +98,8 @@ pub struct Simulation<S: Scalar = f64> {
 }
 
 impl<S: Scalar> Simulation<S> {
-    /// A simulation at time 0 with its equations in the recursive form, whatever the settings: the other forms, and
-    /// watchers, are for plain numbers only.
+    /// Creates a simulation at time 0 in the recursive form, whatever the settings: the other forms, and
+    /// watchers, work with plain numbers only.
     pub fn recursive(setup: Setup<S>) -> Self {
         Self::recursive_with(setup, true)
     }
@@ -140,7 +140,7 @@ impl<S: Scalar> Simulation<S> {
         }
     }
 
-    /// Time, s.
+    /// Returns the time, s.
     pub fn time_s(&self) -> f64 {
         self.state.steps as f64 * self.settings.step_s
     }
@@ -155,55 +155,57 @@ impl<S: Scalar> Simulation<S> {
         &self.plant.model
     }
 
-    /// The stage at the start of the next interval.
+    /// Returns the stage at the start of the next interval.
     pub fn stage(&self) -> Stage<'_, S> {
         stage(self.interval(), &self.state)
     }
 
-    /// The next interval: to the end of the next step, or to an earlier time at which a law changes form.
+    /// Returns the next interval: to the end of the next step, or to an earlier time at which a law changes
+    /// form.
     fn interval(&self) -> Interval {
         let start_s = self.time_s();
         let end_s = start_s + self.settings.step_s;
         Interval { start_s, end_s: self.next_edge_s(start_s, end_s).min(end_s) }
     }
 
-    /// The next time after `start_s` at which a law changes form or an element samples, s; infinite if there is none. A
-    /// time within rounding of `start_s` has passed; one within rounding of `end_s` counts as `end_s`.
+    /// Returns the next time after `start_s` at which a law changes form or an element samples, s; infinity
+    /// if there is none. A time equal to `start_s` within rounding counts as past; one equal to `end_s`
+    /// within rounding is replaced by `end_s`.
     fn next_edge_s(&self, start_s: f64, end_s: f64) -> f64 {
         let slack_s = EDGE_SLACK * self.settings.step_s;
         let edge_s = self.plant.next_edge_s(start_s + slack_s, &self.state.m);
         if (edge_s - end_s).abs() <= slack_s { end_s } else { edge_s }
     }
 
-    /// `q` moved by the local coordinates `xi`, as in a scheme.
+    /// Returns `q` moved by the local coordinates `xi`, as in a scheme.
     pub fn moved(&self, q: &[S], xi: &[S]) -> Vec<S> {
         let mut moved = q.to_vec();
         self.plant.retract(q, xi, &mut moved);
         moved
     }
 
-    /// Evaluations of the right-hand side by the integrator since the simulation was made: what its steps cost. An
-    /// evaluation over dual numbers counts as one plus one for each direction.
+    /// Returns the number of evaluations of the right-hand side since the simulation was created: the cost of
+    /// its steps. An evaluation over dual numbers counts as one plus one for each direction.
     pub fn evaluations(&self) -> u64 {
         self.plant.evaluations
     }
 
-    /// Closes the loops from here by the smallest change of q and v, as after each step.
+    /// Closes the loops by the smallest change of q and v, as after each step.
     ///
     /// # Errors
-    /// A loop that cannot be closed from here; q and v are then not a valid motion of the model.
+    /// A loop that cannot be closed; q and v are then not a valid motion of the model.
     pub fn close_loops(&mut self) -> Result<(), RunError> {
         let (time_s, State { q, v, .. }) = (self.state.steps as f64 * self.settings.step_s, &mut self.state);
         self.plant.begin_step();
         self.plant.close_loops(q, v).map_err(|fault| RunError::of_loop(time_s, &self.plant, fault))
     }
 
-    /// The complete state.
+    /// Returns the complete state.
     pub fn state(&self) -> &State<S> {
         &self.state
     }
 
-    /// Back to time 0.
+    /// Returns to time 0.
     pub fn reset(&mut self) {
         self.state.copy_from(&self.initial);
         self.watch.forget_after(0);
@@ -212,18 +214,18 @@ impl<S: Scalar> Simulation<S> {
         self.steering = Steering::new(self.plant.layout(), &self.channels);
     }
 
-    /// The places of everything that the elements declare.
+    /// Returns the indices of everything that the elements declare.
     pub fn layout(&self) -> &Layout {
         self.plant.layout()
     }
 
-    /// The events so far, in order of time.
+    /// Returns the events so far, in order of time.
     pub fn events(&self) -> &[EventRecord] {
         self.watch.records()
     }
 
-    /// The warnings of the rows since the start of the run, or since its state was set from outside, and of ropes that
-    /// parted; in order of time.
+    /// Returns the warnings in order of time: of parted ropes, and of the rows since the start of the run, or
+    /// since its state was set from outside.
     pub fn warnings(&self) -> Vec<Warning> {
         let parted = self.events().iter().filter(|record| record.what == PARTS_WORDS);
         let parted = parted.map(|EventRecord { time_s, element, .. }| Warning {
@@ -236,7 +238,8 @@ impl<S: Scalar> Simulation<S> {
         warnings
     }
 
-    /// The results of the limits for the rows since the start of the run, or since its state was set from outside.
+    /// Returns the results of the limits for the rows since the start of the run, or since its state was set
+    /// from outside.
     pub fn limits(&self) -> Vec<LimitResult> {
         self.limits.results()
     }
@@ -264,7 +267,7 @@ impl<S: Scalar> Simulation<S> {
         self.check(end_s)
     }
 
-    /// One step, divided where a law changes form, an element samples or an event happens.
+    /// Takes one step, divided where a law changes form, an element samples or an event occurs.
     fn advance(&mut self, start_s: f64, end_s: f64) -> Result<(), RunError> {
         let mut from = start_s;
         self.watch.begin_step();
@@ -307,8 +310,9 @@ impl<S: Scalar> Simulation<S> {
         Ok(())
     }
 
-    /// Steps to the end of the run, recording a row now, then at each recording time, and at the end. `progress` gets
-    /// the time after each row, and at least every [`PROGRESS_STEPS`] steps; it may stop the run by returning false.
+    /// Steps to the end of the run, recording a row at the start, at each recording time, and at the end.
+    /// `progress` is called with the time after each row, and at least every [`PROGRESS_STEPS`] steps; it
+    /// stops the run by returning false.
     pub fn run(&mut self, progress: impl FnMut(f64) -> bool) -> Run<S> {
         let mut rows = Vec::new();
         self.write_row(&mut rows);
@@ -319,7 +323,7 @@ impl<S: Scalar> Simulation<S> {
         self.finish(rows, recording, progress)
     }
 
-    /// The rest of a run whose row at the present state is written.
+    /// Continues a run whose row at the present state is recorded, to its end.
     pub(crate) fn finish(
         &mut self,
         mut rows: Vec<S>,
@@ -351,13 +355,14 @@ impl<S: Scalar> Simulation<S> {
         self.ended(rows, Ok(()))
     }
 
-    /// A run with these rows.
+    /// Returns the run with these rows and this status.
     pub(crate) fn ended(&self, rows: Vec<S>, status: Result<(), RunError>) -> Run<S> {
         let (columns, events) = (self.columns(), self.events().to_vec());
         Run { rows, columns, events, warnings: self.warnings(), limits: self.limits(), status }
     }
 
-    /// Checks that all numbers of a row are finite: a finite state may give loads and accelerations that are not.
+    /// Checks that all numbers of a row are finite: loads and accelerations can be infinite or NaN although
+    /// the state is finite.
     pub(crate) fn check_row(&self, row: &[S]) -> Result<(), RunError> {
         let Some(place) = row.iter().position(|x| !x.all(f64::is_finite)) else { return Ok(()) };
         let mut columns = self.channels.list.iter().flat_map(|channel| &channel.columns);
@@ -365,17 +370,18 @@ impl<S: Scalar> Simulation<S> {
         Err(RunError::NoNumber { time_s: self.time_s(), column, value: row[place].value() })
     }
 
-    /// The channels of a row.
+    /// Returns the channels of a row.
     pub fn channels(&self) -> &[Channel] {
         &self.channels.list
     }
 
-    /// Entries in a row.
+    /// Returns the number of entries in a row.
     pub fn columns(&self) -> usize {
         self.channels.columns()
     }
 
-    /// Readings of these columns only, without the rest of a row; columns that do not exist are left out.
+    /// Returns readings of these columns only, which cost less than a full row; columns that do not exist are
+    /// ignored.
     pub fn readings(&self, columns: &[String]) -> Readings<S> {
         Readings::new(columns, &self.channels, self.plant.layout())
     }
@@ -396,7 +402,7 @@ impl<S: Scalar> Simulation<S> {
         let first = out.len();
         self.channels.write_row(&Sample { time_s, q, v, s, observed }, out);
         let row = &out[first..];
-        // A row that is not finite does not count.
+        // A row with a number that is not finite is not recorded.
         if row.iter().all(|value| value.all(f64::is_finite)) {
             self.watching.see(row);
             self.limits.see(row);
@@ -404,7 +410,7 @@ impl<S: Scalar> Simulation<S> {
     }
 }
 
-/// The right-hand side at the start of an interval.
+/// Returns the right-hand side at the start of an interval.
 fn stage<S>(interval: Interval, state: &State<S>) -> Stage<'_, S> {
     let State { q, v, s, d, m, .. } = state;
     Stage { time_s: interval.start_s, interval, q, v, s, d, m }

@@ -1,43 +1,44 @@
-//! Linear feedback in samples: the map over a time in which all laws begin anew, and its eigenvalues.
+//! Linear feedback at sampling times: the map over a common period of all laws, and its eigenvalues.
 
 use crate::spatial::exponential;
 use core::ops::Range;
 use nalgebra::{Complex, DMatrix, DVector, Schur};
 
-/// Most samples after which all laws sample at once again.
+/// Largest number of samples in a common period, after which all laws sample at the same time again.
 const MOST_SAMPLES: u64 = 1000;
-/// Most past values that are kept for the delays of sensors; more are kept less often.
+/// Largest number of past values kept for the delays of sensors; if more are needed, they are kept at longer
+/// intervals.
 const MOST_PAST: u64 = 100;
 /// Iterations of the search for eigenvalues.
 const MOST_ITERATIONS: usize = 20_000;
-/// Shift from the eigenvalue in the inverse iteration, as a share of its modulus.
+/// Shift from the eigenvalue in the inverse iteration, as a share of the eigenvalue's modulus.
 const BESIDE: f64 = 1e-9;
 
-/// A law with the inputs that it sets, among those of all laws, and how often it samples, in steps.
+/// A linear law, with the indices of its inputs among those of all laws, and its sampling interval in steps.
 pub(super) struct FeedbackLoop {
     pub(super) name: String,
     pub(super) gains: DMatrix<f64>,
-    /// Without rows if nothing is summed.
+    /// Gains of the integrals; no rows if the law has no integral action.
     pub(super) integral_gains: DMatrix<f64>,
-    /// C of the columns that it reads.
+    /// Rows of C for the columns that the law reads.
     pub(super) reads: DMatrix<f64>,
-    /// How each is sensed; `None` is at once.
+    /// Sampling and delay of each column's sensor; `None` if the column is read without delay.
     pub(super) sensed: Vec<Option<Sensed>>,
     pub(super) first: usize,
     pub(super) steps: u64,
 }
 
-/// How a sensor delivers a value, in steps.
+/// Sampling interval and delay of a sensor, in steps.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sensed {
-    /// Between two samples.
+    /// Steps between two samples.
     pub(super) steps: u64,
-    /// How old a value is when it is read.
+    /// Age of a value when the law reads it, in steps.
     pub(super) age: u64,
 }
 
 impl FeedbackLoop {
-    /// The ages of what it reads, in such units of time.
+    /// Returns the age of each column that the law reads, in multiples of `unit`.
     fn ages(&self, unit: u64) -> impl Iterator<Item = usize> + '_ {
         self.sensed.iter().map(move |sensed| sensed.map_or(0, |sensed| ((sensed.age + unit / 2) / unit) as usize))
     }
@@ -47,14 +48,15 @@ impl FeedbackLoop {
     }
 }
 
-/// A and B between samples.
+/// A and B over an interval with constant inputs.
 pub(super) struct HeldInputs {
     pub(super) a: DMatrix<f64>,
     pub(super) b: DMatrix<f64>,
     pub(super) step_s: f64,
 }
 
-/// Where the parts of the map are: states first, then held inputs, sums, and past values of what sensors deliver late.
+/// Indices of the parts of the map: states first, then held inputs, integrals, and past values for delayed
+/// sensors.
 struct Parts {
     inputs: usize,
     sums: Option<usize>,
@@ -63,7 +65,8 @@ struct Parts {
 }
 
 impl HeldInputs {
-    /// The map of states, held inputs, sums and past values over the time in which all laws begin anew, and this time, s.
+    /// Returns the map of states, held inputs, integrals and past values over a common period of all laws,
+    /// and the period, s.
     pub(super) fn map(&self, loops: &[&FeedbackLoop]) -> Option<(DMatrix<f64>, f64)> {
         let (n, m) = self.b.shape();
         let unit = unit(loops);
@@ -93,7 +96,7 @@ impl HeldInputs {
             }
             map = &between * map;
         }
-        // Inputs that no loop sets stay zero, and so do sums that nothing adds to.
+        // Inputs that no loop sets and integrals of no loop stay zero.
         for input in 0..m {
             let of = loops.iter().find(|one| one.inputs().contains(&input));
             let unset = of.is_none().then_some(parts.inputs + input);
@@ -107,7 +110,8 @@ impl HeldInputs {
         Some((map, samples as f64 * between_s))
     }
 
-    /// Returns the map of states, held inputs and sums over a sample of a loop, by what it sees of all of them.
+    /// Returns the map of states, held inputs and integrals over a sample of a loop; `seen` maps them to the
+    /// columns that the loop reads.
     fn sampled(&self, one: &FeedbackLoop, seen: &DMatrix<f64>, parts: &Parts) -> DMatrix<f64> {
         let mut update = DMatrix::identity(parts.all, parts.all);
         let mut law = &one.gains * seen;
@@ -124,15 +128,15 @@ impl HeldInputs {
         update
     }
 
-    /// The rate of the fastest growth with these laws, 1/s.
+    /// Returns the growth rate of the fastest-growing mode with these laws, 1/s.
     pub(super) fn growth(&self, loops: &[&FeedbackLoop]) -> Option<f64> {
         let (map, time_s) = self.map(loops)?;
         Some(libm::log(fastest(&map)?.norm_sqr()) / (2.0 * time_s))
     }
 }
 
-/// The time between two instants of the map, in steps: all laws sample at whole multiples of it, and so do the sensors that are
-/// late, where that does not take too many past values or samples.
+/// Returns the time step of the map, in steps of the integrator: all laws sample at whole multiples of it,
+/// and so do the delayed sensors unless that needs too many past values or samples.
 fn unit(loops: &[&FeedbackLoop]) -> u64 {
     let of_laws = loops.iter().fold(0, |unit, one| divisor(unit, one.steps)).max(1);
     let late = || loops.iter().flat_map(|one| one.sensed.iter().flatten()).filter(|sensed| sensed.age > 0);
@@ -141,7 +145,7 @@ fn unit(loops: &[&FeedbackLoop]) -> u64 {
     if is_small { unit } else { of_laws }
 }
 
-/// Number of instants after which all laws sample at once again; `None` if there are too many.
+/// Returns the number of time steps of the map in a common period of all laws; `None` if there are too many.
 fn samples(loops: &[&FeedbackLoop], unit: u64) -> Option<u64> {
     loops.iter().try_fold(1, |all: u64, one| {
         let own = one.steps / unit;
@@ -149,7 +153,8 @@ fn samples(loops: &[&FeedbackLoop], unit: u64) -> Option<u64> {
     })
 }
 
-/// Returns the rows of what a loop sees: columns now, or the oldest of its past values, which begin at a place.
+/// Returns the rows of the columns that a loop reads: at the present time, or from the oldest of its past
+/// values, which start at index `past`.
 fn seen(one: &FeedbackLoop, unit: u64, mut past: usize, all: usize) -> DMatrix<f64> {
     let mut seen = DMatrix::zeros(one.reads.nrows(), all);
     for (read, age) in one.ages(unit).enumerate() {
@@ -163,7 +168,7 @@ fn seen(one: &FeedbackLoop, unit: u64, mut past: usize, all: usize) -> DMatrix<f
     seen
 }
 
-/// The past values move on by one, and the present ones become the first of them.
+/// Shifts the past values by one and stores the present ones as the newest.
 fn remember(loops: &[&FeedbackLoop], unit: u64, parts: &Parts) -> DMatrix<f64> {
     let mut moved = DMatrix::identity(parts.all, parts.all);
     let mut first = parts.past;
@@ -182,7 +187,7 @@ fn remember(loops: &[&FeedbackLoop], unit: u64, parts: &Parts) -> DMatrix<f64> {
     moved
 }
 
-/// The eigenvalue with the largest modulus.
+/// Returns the eigenvalue with the largest modulus.
 pub(super) fn fastest(map: &DMatrix<f64>) -> Option<Complex<f64>> {
     if !map.iter().all(|x| x.is_finite()) {
         return None;
@@ -191,7 +196,7 @@ pub(super) fn fastest(map: &DMatrix<f64>) -> Option<Complex<f64>> {
     values.iter().copied().max_by(|one, other| one.norm_sqr().total_cmp(&other.norm_sqr()))
 }
 
-/// The eigenvector of an eigenvalue, by inverse iteration with a shift; zero if there is none.
+/// Returns the eigenvector of an eigenvalue, by inverse iteration with a shift; zero if there is none.
 pub(super) fn vector(map: &DMatrix<f64>, value: Complex<f64>) -> DVector<Complex<f64>> {
     let n = map.nrows();
     let beside = value * (1.0 + BESIDE);
@@ -207,7 +212,7 @@ pub(super) fn vector(map: &DMatrix<f64>, value: Complex<f64>) -> DVector<Complex
     found
 }
 
-/// Greatest common divisor.
+/// Returns the greatest common divisor.
 fn divisor(one: u64, other: u64) -> u64 {
     if other == 0 { one } else { divisor(other, one % other) }
 }

@@ -1,17 +1,17 @@
-//! Another sea during a run.
+//! Change of the waves during a run.
 
 use super::errors::check_array;
 use super::{InputError, Simulation, stage};
 use crate::sea::waves::WaveComponent;
 
 impl Simulation {
-    /// The regular waves that make up the sea; none in calm water.
+    /// Returns the regular waves whose sum is the sea; none in calm water.
     pub fn waves(&self) -> Vec<WaveComponent> {
         self.plant.world.waves.as_ref().map_or_else(Vec::new, |waves| waves.components().copied().collect())
     }
 
-    /// The complex elevation a e^(i q) of each of them at a point (x, y) of the world, m, and a time, s, the ramp included:
-    /// real and imaginary parts.
+    /// Returns the complex elevation a e^(i q) of each wave at a point (x, y) of the world, m, and a time, s,
+    /// with the ramp applied: real and imaginary parts.
     pub fn wave_phasors(&self, point: [f64; 2], time_s: f64) -> [Vec<f64>; 2] {
         let Some(waves) = &self.plant.world.waves else { return [Vec::new(), Vec::new()] };
         let (mut real, mut imaginary) = (vec![0.0; waves.len()], vec![0.0; waves.len()]);
@@ -19,15 +19,17 @@ impl Simulation {
         [real, imaginary]
     }
 
-    /// Continues from here in another sea with the same frequencies and directions, with one amplitude (m) and phase
-    /// (rad) per wave in the order of [`Self::waves`]: for a forecast when the coming waves are not known.
+    /// Replaces the amplitude (m) and phase (rad) of each wave, in the order of [`Self::waves`], and
+    /// continues from the present state: for a forecast when the coming waves are not known. Frequencies and
+    /// directions stay.
     ///
-    /// Motion, states and the memory of radiated waves stay; the integrator begins anew. The sea is not part of a
-    /// snapshot: a restored run continues in the sea that was set last, and a reset begins in it. A replay does not
-    /// contain it.
+    /// Motion, states and the memory of radiated waves are kept; the integrator restarts. The sea is not part
+    /// of a snapshot: a restored run continues in the sea that was set last, and so does a run after a reset.
+    /// A replay does not contain it.
     ///
     /// # Errors
-    /// Not one finite number per wave; a body that is moved by waves. Nothing has changed then.
+    /// The arrays do not have one finite number per wave, or the waves prescribe the motion of a body.
+    /// Nothing changes then.
     pub fn set_waves(&mut self, amplitudes_m: &[f64], phases_rad: &[f64]) -> Result<(), InputError> {
         let count = self.plant.world.waves.as_ref().map_or(0, |waves| waves.len());
         check_array("amplitudes_m", amplitudes_m, count)?;

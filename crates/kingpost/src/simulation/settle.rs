@@ -1,4 +1,4 @@
-//! The equilibrium of a model: free coordinates at which, with zero rates, nothing accelerates.
+//! Equilibrium of a model: free coordinates at which, with zero rates, all accelerations are zero.
 
 use super::{InputError, MOST_DENSE, Simulation, stage};
 use crate::dynamics::Kinematics;
@@ -9,42 +9,45 @@ use crate::plant::Form;
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
-/// Accelerations below this count as 0, m/s^2 or rad/s^2: a hundred-thousand-millionth of that of free fall, which moves a
-/// pendulum of 1 km by 10 nm.
+/// Accelerations below this count as 0, m/s^2 or rad/s^2: about 1e-11 of g, which displaces a pendulum of 1
+/// km by 10 nm.
 const AT_REST: f64 = 1e-10;
-/// Roundings of places by which an acceleration at rest may be off: each is that of an end of a spring, a few operations away.
+/// Allowed acceleration at rest, in rounding errors of a position: a spring's end is computed from positions
+/// in a few operations.
 const ROUNDINGS: f64 = 4.0;
-/// An acceleration that a move leaves at more than this share of what it was has reached its rounding: Newton's method, which
-/// the moves become, squares it.
+/// If a move leaves more than this share of an acceleration, the rest is rounding error: near the solution a
+/// move of Newton's method squares the error.
 const STAGNANT: f64 = 0.5;
-/// The smallest norm of A that counts, 1/s^2: a body that nothing holds has none.
+/// Smallest norm of A that counts, 1/s^2: for a body without restoring forces A is zero.
 const SMALLEST_STIFFNESS: f64 = 1e-10;
 /// Largest number of iterations.
 const MOST_ITERATIONS: usize = 400;
-/// The longest move of a coordinate in one iteration, m or rad.
+/// Longest move of a coordinate in one iteration, m or rad.
 const LONGEST_MOVE: f64 = 0.5;
-/// How often a move is halved if the loops cannot be closed at its end.
+/// Largest number of times that a move is halved if the loops cannot be closed at its end.
 const MOST_HALVINGS: i32 = 12;
-/// Least growth of the pseudo-time step while accelerations fall.
+/// Smallest growth factor of the pseudo-time step while accelerations fall.
 const LEAST_GROWTH: f64 = 2.0;
-/// The smallest share of the largest entry of A that is kept against drift along zero modes.
+/// Smallest stiffness that is kept against drift along zero modes, as a share of the largest entry of A.
 const SMALLEST_SHARE: f64 = 1e-9;
-/// A body counts as pushed horizontally if it accelerates there by more than this share of the largest acceleration.
+/// Smallest horizontal acceleration of a floating body that counts as a push, as a share of the largest
+/// acceleration.
 const SMALLEST_PUSH: f64 = 1e-3;
 
-/// The transfer to the trims is complete if the deviation is below this, m or rad.
+/// Largest deviation, m or rad, at which the transfer of the holding forces to the trims is complete.
 const TAKEN_OVER: f64 = 1e-8;
 
-/// The smallest square of a growth rate that counts, 1/s^2, and the smallest share of the largest entry of A.
+/// Smallest square of a growth rate that counts: in 1/s^2, and as a share of the largest entry of A.
 const GROWS: [f64; 2] = [1e-6, 1e-8];
 
-/// A hull at rest with a larger lean has capsized, deg: ships are flooded long before.
+/// Largest lean of a hull at rest, deg; beyond it the hull counts as capsized: ships are flooded at much
+/// smaller angles.
 const MOST_LEAN_DEG: f64 = 60.0;
 
-/// An equilibrium that was found.
+/// An equilibrium of a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equilibrium {
-    /// Newton's iterations.
+    /// Number of Newton iterations.
     pub iterations: usize,
     /// Largest remaining acceleration, m/s^2 or rad/s^2.
     pub residual: f64,
@@ -52,18 +55,18 @@ pub struct Equilibrium {
     pub instability: Option<Instability>,
 }
 
-/// Why a model does not, or should not, stay at an equilibrium.
+/// Reason why an equilibrium is unstable or not acceptable.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum Instability {
-    /// A motion that grows, `e^(t / T)` without damping.
-    #[error("{coordinate} moves away from it, by a factor of e every {time_s:.3} s")]
+    /// A small motion grows as `e^(t / T)` without damping.
+    #[error("a displacement of {coordinate} grows by a factor of e every {time_s:.3} s")]
     Growth {
         /// The free coordinate with most of the kinetic energy of the fastest such motion.
         coordinate: String,
         /// T, s.
         time_s: f64,
     },
-    /// A hull that lies on its side or upside down: it would be flooded.
+    /// A hull lies on its side or upside down: it would be flooded.
     #[error("{hull} leans {lean_deg:.1} deg there: it has capsized")]
     Capsized {
         /// The body.
@@ -73,39 +76,39 @@ pub enum Instability {
     },
 }
 
-/// Why no equilibrium was found.
+/// Reason why no equilibrium was found.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum NoEquilibrium {
-    /// Something keeps accelerating.
+    /// The accelerations do not vanish within the allowed iterations.
     #[error(
         "no equilibrium within {iterations} iterations: {coordinate} still accelerates at {residual:.3e} \
          m/s^2 or rad/s^2, more than {allowed:e}{}",
          adrift.as_ref().map(in_words).unwrap_or_default()
     )]
     NotFound {
-        /// Iterations made.
+        /// Number of iterations.
         iterations: usize,
-        /// The free coordinate that accelerates most.
+        /// The free coordinate with the largest acceleration.
         coordinate: String,
         /// Its acceleration.
         residual: f64,
         /// The largest acceleration that is allowed.
         allowed: f64,
-        /// The floating body that is pushed horizontally and that nothing holds, if there is one.
+        /// The floating body that is pushed horizontally and has no restoring force, if there is one.
         adrift: Option<String>,
     },
-    /// Too many free coordinates for a matrix of all of them.
+    /// There are too many free coordinates for a full matrix.
     #[error(
         "no equilibrium is sought: {found} free coordinates, allowed: at most {allowed}, because its matrix grows with the square of \
          their number"
     )]
     TooMany {
-        /// Free coordinates.
+        /// Number of free coordinates.
         found: usize,
-        /// The most that are allowed.
+        /// Largest allowed number.
         allowed: usize,
     },
-    /// The element that has to hold the model is too weak.
+    /// The element that holds the model is too weak.
     #[error("no equilibrium: {name} would have to give {utilisation:.3} times its capacity, allowed: at most 1")]
     Overloaded {
         /// The element.
@@ -118,7 +121,7 @@ pub enum NoEquilibrium {
     State(#[from] InputError),
 }
 
-/// The advice for a body adrift.
+/// Returns the advice in a message for a body adrift.
 fn in_words(body: &String) -> String {
     format!(
         "; nothing holds {body} against horizontal forces: {HOLD_IT}, or turn off the wind, the current or the other horizontal forces"
@@ -126,14 +129,15 @@ fn in_words(body: &String) -> String {
 }
 
 impl Simulation {
-    /// Moves to a nearby equilibrium with zero rates, without waves and with prescribed coordinates held, and begins
-    /// the ledger anew there.
+    /// Moves to a nearby equilibrium with zero rates, without waves and with prescribed coordinates held, and
+    /// restarts the ledger there.
     ///
     /// Newton's iteration with pseudo-transient continuation (Kelley & Keyes, SIAM J. Numer. Anal. 35, 1998):
-    /// `(1/delta - A) dx = v'`, where delta grows as the accelerations vanish. So it begins downhill, towards a stable
-    /// equilibrium, and ends with Newton's convergence; along zero modes, such as the heading of a free ship, nothing
-    /// moves. With closed loops the moves are tangent to them, `J dx = 0` by multipliers, and each ends with the loops
-    /// closed. The same holds for inextensible ropes while they are taut and pull.
+    /// `(1/delta - A) dx = v'`, where delta grows as the accelerations vanish. The first moves go downhill,
+    /// towards a stable equilibrium; the last ones have the convergence of Newton's method. Zero modes, such
+    /// as the heading of a free ship, do not move. With closed loops the moves are tangent to the
+    /// constraints, `J dx = 0` by multipliers, and the loops are closed after each move. Inextensible ropes
+    /// are treated in the same way while they are taut and pull.
     ///
     /// A body held by integral action rests at its target: the holding force is found by the method of multipliers
     /// (each time the model is at rest, the force is transferred to the integral).
@@ -156,7 +160,8 @@ impl Simulation {
         Ok((found, there.plant.trims()))
     }
 
-    /// A copy whose elements act as at rest. All forms of the equations agree there, and the recursive one is the fastest.
+    /// Returns a copy whose elements act as at rest. All forms of the equations agree at rest, and the
+    /// recursive one is the fastest.
     fn at_rest(&self) -> Self {
         let mut there = self.clone();
         there.plant.set_evaluation_mode(EvaluationMode::Settling);
@@ -218,8 +223,8 @@ impl Simulation {
         }
     }
 
-    /// The largest accelerations at rest, by free coordinate: where the ends of a spring are known to the rounding of their
-    /// places, the acceleration is known to that times stiffness over mass, the entry of A.
+    /// Returns the largest acceleration that counts as rest, for each free coordinate: the rounding error of
+    /// the positions of a spring's ends, times stiffness over mass, which is the entry of A.
     fn allowed(&mut self, linear: &Linear) -> DVector<f64> {
         let Self { plant, state, .. } = self;
         let places = plant.body_kinematics(&state.q, &state.v).world.iter().flat_map(|frame| frame.position.0);
@@ -229,7 +234,7 @@ impl Simulation {
         DVector::from_fn(linear.acceleration.len(), |row, _| of_row(row))
     }
 
-    /// M* and J over the free coordinates here.
+    /// Returns M* and J over the free coordinates at the present state.
     fn mass_and_constraints(&mut self) -> (DMatrix<f64>, DMatrix<f64>) {
         let at = stage(self.interval(), &self.state);
         self.plant.mass_and_constraints(at)
@@ -247,7 +252,7 @@ impl Simulation {
         overloaded.map_or(Ok(()), |(name, utilisation)| Err(NoEquilibrium::Overloaded { name, utilisation }))
     }
 
-    /// The first hull that has capsized.
+    /// Returns the first hull that has capsized.
     fn capsized(&mut self) -> Option<Instability> {
         let Self { plant, state, .. } = self;
         let mut at = Kinematics::new(&plant.model.tree);
@@ -261,7 +266,7 @@ impl Simulation {
         })
     }
 
-    /// Entries of s that stay: a user has moved these elements there.
+    /// Returns the entries of s that are not changed, because a user has moved these elements to them.
     fn kept_states(&self) -> Vec<(usize, f64)> {
         let layout = self.plant.layout();
         let kept = (0..layout.slices.len()).filter(|&element| layout.slices[element].keeps_states);
@@ -272,7 +277,8 @@ impl Simulation {
         kept.iter().for_each(|&(i, value)| self.state.s[i] = value);
     }
 
-    /// Accelerations of the free coordinates here, and their derivatives with respect to these coordinates.
+    /// Returns the accelerations of the free coordinates at the present state, and their derivatives with
+    /// respect to these coordinates.
     fn linear_here(&mut self, free: &[usize]) -> Linear {
         let interval = self.interval();
         let Self { plant, state, v_dot, .. } = self;
@@ -288,7 +294,8 @@ impl Simulation {
         }
     }
 
-    /// The floating body that accelerates horizontally while no acceleration depends on its horizontal position.
+    /// Returns the floating body that accelerates horizontally although no acceleration depends on its
+    /// horizontal position.
     fn adrift(&self, linear: &Linear, free: &[usize]) -> Option<String> {
         let model = &self.plant.model;
         let pushed = |body: &usize| {
@@ -303,8 +310,9 @@ impl Simulation {
         (0..model.joints.len()).filter(floats).find(pushed).map(|body| model.bodies[body].name.clone())
     }
 
-    /// How the present equilibrium shifts per acceleration, without waves and with prescribed coordinates held: the
-    /// matrix of the last Newton move, by rows and columns of the free coordinates; `None` if it is singular.
+    /// Returns the shift of the present equilibrium per acceleration, without waves and with prescribed
+    /// coordinates held: the matrix of the last Newton move, by rows and columns of the free coordinates;
+    /// `None` if it is singular.
     pub fn compliance(&self) -> Option<DMatrix<f64>> {
         let mut there = self.at_rest();
         let free = there.plant.model.free_coordinates();
@@ -313,8 +321,8 @@ impl Simulation {
         Some(inverse.view((0, 0), (free.len(), free.len())).into_owned())
     }
 
-    /// Moves along `xi` with the loops closed, or by half, by a quarter and so on if they cannot be closed. Returns
-    /// whether it moved.
+    /// Moves along `xi` with the loops closed; if they cannot be closed, along a half, a quarter and so on.
+    /// Returns whether a move was possible.
     fn go(&mut self, xi: &[f64]) -> bool {
         let (from, still) = (self.state.clone(), vec![0.0; xi.len()]);
         (0..MOST_HALVINGS).any(|halvings| {
@@ -343,10 +351,11 @@ struct LastMove {
     acceleration: f64,
 }
 
-/// The next move of the free coordinates, tangent to the loops' J; `None` if the numbers give none.
+/// Returns the next move of the free coordinates, tangent to the loops' J; `None` if the linear system has no
+/// solution.
 fn next_move(linear: &Linear, j: &DMatrix<f64>, last: Option<LastMove>) -> Option<(DVector<f64>, LastMove)> {
     let (acceleration, norm) = (&linear.acceleration, linear.acceleration.norm());
-    // Larger than the largest stiffness, so that an unstable direction leads downhill too.
+    // Larger than the largest stiffness, so that the move also goes downhill along an unstable direction.
     let grown = last.map_or(0.5 / linear.size(), |last| last.delta * growth(last.acceleration / norm));
     let delta = grown.min(linear.largest_delta());
     let right = acceleration.clone().resize_vertically(acceleration.len() + j.nrows(), 0.0);
@@ -361,7 +370,7 @@ impl Linear {
         self.stiffness.norm().max(SMALLEST_STIFFNESS)
     }
 
-    /// Whether all accelerations are 0, or are rounding that the last move could not reduce.
+    /// Returns whether each acceleration is 0, or a rounding error that the last move could not reduce.
     fn rests(&self, allowed: &DVector<f64>, last: Option<LastMove>) -> bool {
         if self.acceleration.iter().all(|a| a.abs() < AT_REST) {
             return true;
@@ -370,7 +379,7 @@ impl Linear {
         is_rounding && last.is_some_and(|last| self.acceleration.norm() > STAGNANT * last.acceleration)
     }
 
-    /// The fastest growing motion tangent to the loops' J: v' = A x with an eigenvalue 1 / T^2 of A.
+    /// Returns the fastest-growing motion tangent to the loops' J: v' = A x with an eigenvalue 1 / T^2 of A.
     fn growth(&self, (mass, j): &(DMatrix<f64>, DMatrix<f64>), names: &[String]) -> Option<Instability> {
         let tangents = tangents(j, names.len());
         if tangents.ncols() == 0 {
@@ -394,7 +403,7 @@ impl Linear {
         1.0 / (SMALLEST_SHARE * self.size())
     }
 
-    /// `1/delta - A`, bordered by the loops' J.
+    /// Returns `1/delta - A`, bordered by the loops' J.
     fn bordered(&self, j: &DMatrix<f64>, delta: f64) -> DMatrix<f64> {
         let (n, constraints) = (self.acceleration.len(), j.nrows());
         let mut bordered = DMatrix::zeros(n + constraints, n + constraints);
@@ -405,20 +414,22 @@ impl Linear {
     }
 }
 
-/// Unit columns that span the null space of J.
+/// Returns unit columns that span the null space of J.
 fn tangents(j: &DMatrix<f64>, count: usize) -> DMatrix<f64> {
     if j.nrows() == 0 {
         return DMatrix::identity(count, count);
     }
     let eigen = (j.transpose() * j).symmetric_eigen();
     let largest = eigen.eigenvalues.amax();
-    // Eigenvalues are squares: directions that the loops hold by less than 1e-6 of the stiffest are free.
+    // Eigenvalues are squares: directions in which the constraints are weaker than 1e-6 of the strongest
+    // count as free.
     let passed: Vec<_> = (0..count).filter(|&k| eigen.eigenvalues[k] <= 1e-12 * largest).collect();
     eigen.eigenvectors.select_columns(&passed)
 }
 
-/// Growth of the pseudo-time step when the accelerations have fallen by a factor, or its reduction when they have
-/// risen. Stiff parts rest long before soft parts begin to move: the step has to grow meanwhile.
+/// Returns the growth factor of the pseudo-time step if the accelerations have fallen by `fallen_by`, or its
+/// reduction if they have risen. Stiff parts reach rest long before soft parts begin to move: meanwhile the
+/// step has to grow.
 fn growth(fallen_by: f64) -> f64 {
     if fallen_by < 1.0 { fallen_by } else { fallen_by.max(LEAST_GROWTH) }
 }

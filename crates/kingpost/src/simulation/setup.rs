@@ -30,7 +30,7 @@ pub enum SchemeName {
     },
     /// See [`Scheme::generalized_alpha`].
     GeneralizedAlpha {
-        /// Factor by which a step reduces the fastest oscillations.
+        /// Spectral radius at infinite frequency: factor by which a step reduces the fastest oscillations.
         rho_infinity: f64,
     },
     /// See [`Scheme::implicit_midpoint`].
@@ -48,7 +48,7 @@ pub struct Settings {
     pub duration_s: f64,
     /// Interval between recorded rows, s.
     pub record_every_s: f64,
-    /// A run with a rate beyond this counts as diverged, rad/s or m/s.
+    /// Largest rate, rad/s or m/s; a run beyond it counts as diverged.
     pub rate_limit: f64,
     /// The form of the equations of motion.
     pub form: Form,
@@ -62,7 +62,7 @@ impl Settings {
         self.scheme.is_implicit() && self.form == Form::Recursive
     }
 
-    /// Number of rows that a run records, without those at the start and the end.
+    /// Returns the number of rows that a run records, without those at the start and the end.
     pub fn rows(&self) -> f64 {
         self.duration_s / self.record_every_s.max(self.step_s)
     }
@@ -77,10 +77,10 @@ pub struct Setup<S: Scalar = f64> {
     pub world: World<S>,
     /// The elements.
     pub elements: Vec<AnyElement<S>>,
-    /// Inputs that take the sampled output of an element, each with the column of that output; in addition to those
-    /// that elements declare.
+    /// Inputs that are connected to the sampled output of an element, each with the column of that output; in
+    /// addition to those that elements declare.
     pub wires: Vec<(String, String)>,
-    /// Watchers of its joints and closed loops; elements have their own.
+    /// Watchers of the model's joints and closed loops; elements have watchers in addition.
     pub watchers: Vec<AnyWatcher>,
     /// Limits on columns of the results.
     pub limits: Vec<Limit>,
@@ -96,12 +96,12 @@ pub struct Setup<S: Scalar = f64> {
 }
 
 impl SchemeName {
-    /// Whether the scheme solves for the end of a step, and so needs derivatives.
+    /// Returns whether the scheme is implicit, and so needs derivatives.
     pub fn is_implicit(self) -> bool {
         matches!(self, Self::Newmark { .. } | Self::GeneralizedAlpha { .. } | Self::ImplicitMidpoint)
     }
 
-    /// The scheme with its working memory, for steps of this size.
+    /// Creates the scheme with its working memory, for this size of step.
     pub fn scheme<S: Scalar>(self, sizes: Sizes, step_s: f64) -> Scheme<S> {
         match self {
             Self::ForwardEuler => Scheme::forward_euler(sizes),

@@ -1,11 +1,12 @@
-//! Simulations that others drive: their inputs by place, and their state in a lane of several.
+//! Simulations that another program steps: inputs set by index, and their state as one lane of several.
 
 use super::Simulation;
 use crate::scalar::{LANES, Lanes, Scalar};
 use crate::state::State;
 
 impl<S: Scalar> Simulation<S> {
-    /// Sets an input by its place from the next step on. It is no move of the user's, and it is within its bounds.
+    /// Sets an input by its index, with effect from the next step. The change is not recorded as a move of
+    /// the user, and the value must be within the input's bounds.
     pub(crate) fn put_input(&mut self, input: usize, value: S) {
         if self.switches_modes(input) {
             let time_s = self.time_s();
@@ -17,7 +18,8 @@ impl<S: Scalar> Simulation<S> {
         }
     }
 
-    /// Whether the element that has an input may change its modes with it; such inputs cannot differ between lanes.
+    /// Returns whether the element of an input may change its mode when the input changes; such inputs cannot
+    /// differ between lanes.
     pub(crate) fn switches_modes(&self, input: usize) -> bool {
         let mut shares = self.plant.layout().slices.iter();
         shares.any(|share| share.inputs.contains(&input) && !share.modes.is_empty())
@@ -40,7 +42,7 @@ impl Simulation {
         state.m.copy_from_slice(&from.m);
     }
 
-    /// Whether it can continue in a lane beside another one: the same time and modes.
+    /// Returns whether this simulation can continue in a lane beside another one: time and modes are equal.
     pub(crate) fn is_level_with<S: Scalar>(&self, other: &Simulation<S>) -> bool {
         self.state.steps == other.state.steps && self.state.m == other.state.m
     }

@@ -1,4 +1,4 @@
-//! Small motions about the state of a simulation, by differences.
+//! Linearization of small motions about the state of a simulation, by differences.
 
 use super::{Simulation, stage};
 use crate::elements::EvaluationMode;
@@ -6,16 +6,17 @@ use crate::integrate::{Stage, System};
 use crate::ledger;
 use nalgebra::{DMatrix, DVector};
 
-/// Displacement (m, rad) and change of rate (m/s, rad/s) of a central difference: the cube root of the rounding unit,
-/// where its error is smallest (Nocedal & Wright, *Numerical Optimization*, 2nd ed., 2006, section 8.1).
+/// Change of a coordinate (m, rad) or rate (m/s, rad/s) in a central difference: the cube root of the
+/// rounding unit, where the error is smallest (Nocedal & Wright, *Numerical Optimization*, 2nd ed., 2006,
+/// section 8.1).
 pub(super) const DIFFERENCE: f64 = 6e-6;
-/// If rates change by less than this with a state of an element or an input, it is rounding, 1/s^2: the change is then made
-/// ten times as large.
+/// Smallest change of the rates, per change of an element's state or an input, that is not rounding, 1/s^2;
+/// below it the change is made ten times as large.
 const SEEN: f64 = 1e-4;
-/// The largest such change.
+/// Largest change in a difference.
 const LARGEST: f64 = 1e6;
 
-/// A number that is changed for a difference.
+/// The variable that is changed in a difference.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Changed {
     /// A state: a local coordinate, a rate or a state of an element.
@@ -25,8 +26,8 @@ pub(super) enum Changed {
 }
 
 impl Simulation {
-    /// A of `x' = A x` for small motions from here in still water, with prescribed coordinates held, by central
-    /// differences: to about ten digits of its largest entries.
+    /// Returns A of `x' = A x` for small motions about the present state in still water, with prescribed
+    /// coordinates held, by central differences: accurate to about ten digits of its largest entries.
     ///
     /// The states are the local coordinates of the free coordinates, their rates, and the states of elements. At rest
     /// it equals A of [`Linearization`](crate::analysis::Linearization), which is exact but needs a second engine over
@@ -41,7 +42,8 @@ impl Simulation {
         a
     }
 
-    /// Rates of the states by a state or an input, in the present evaluation mode.
+    /// Returns the derivatives of the states' rates with respect to a state or an input, in the present
+    /// evaluation mode.
     pub(super) fn rates_by(&mut self, changed: Changed) -> DVector<f64> {
         let of_motion = 2 * self.plant.model.free_coordinates().len();
         let once = matches!(changed, Changed::State(state) if state < of_motion);
@@ -56,7 +58,7 @@ impl Simulation {
         }
     }
 
-    /// Rates of the states with a state or an input changed.
+    /// Returns the rates of the states after a change of a state or an input.
     fn rates_beside_here(&mut self, changed: Changed, change: f64) -> DVector<f64> {
         let [mut q, mut v, mut s] = [&self.state.q, &self.state.v, &self.state.s].map(Clone::clone);
         let mut d = self.state.d.clone();
@@ -73,7 +75,7 @@ impl Simulation {
         rates.into()
     }
 
-    /// q, v and s with a state changed.
+    /// Returns q, v and s after a change of a state.
     pub(super) fn displaced(&self, state: usize, change: f64) -> [Vec<f64>; 3] {
         let free = self.plant.model.free_coordinates();
         let (n, from) = (free.len(), &self.state.q);

@@ -1,4 +1,4 @@
-//! Steering by elements at the start of a step, and the user's moves.
+//! Steering elements at the start of a step, and the user's changes of inputs.
 
 use super::{EventRecord, RunError, Simulation, stage};
 use crate::elements::Layout;
@@ -8,55 +8,56 @@ use crate::results::{Channels, Readings, Sample};
 use crate::scalar::Scalar;
 use serde::Serialize;
 
-/// An input that the user set.
+/// A change of an input by the user.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LeverMove {
-    /// The end of the last step before, s.
+    /// End of the last step before the change, s.
     pub time_s: f64,
-    /// The input.
+    /// Name of the input.
     pub input: String,
-    /// The value that it was set to, in its unit.
+    /// New value, in the input's unit.
     pub value: f64,
 }
 
-/// A parameter that was set during the run.
+/// A change of a parameter during the run.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ParameterSet {
-    /// The end of the last step before, s.
+    /// End of the last step before the change, s.
     pub time_s: f64,
-    /// Its name.
+    /// Name of the parameter.
     pub parameter: String,
 }
 
-/// Working memory for steering, the moves of levers, and the parameters set during the run.
+/// Working memory for steering, the user's changes of inputs, and the parameters set during the run.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Steering<S> {
-    /// For each steering element the columns that it reads.
+    /// Columns that each steering element reads.
     readings: Vec<Readings<S>>,
     read: Vec<S>,
     inputs: Vec<S>,
-    /// The inputs at the present time, and the discrete numbers with them.
+    /// Inputs at the present time, with the discrete numbers.
     now: Vec<S>,
     shown: Vec<S>,
-    /// Number of steps before the move, the input in d, its value.
+    /// For each change: number of steps before it, index of the input in d, new value.
     moves: Vec<(u64, usize, f64)>,
-    /// Number of steps before the change, the parameter.
+    /// For each change: number of steps before it, name of the parameter.
     parameters: Vec<(u64, String)>,
 }
 
 impl<S: Scalar> Steering<S> {
-    /// Columns that do not exist are left out: the scenario has checked them.
+    /// Creates the working memory; columns that do not exist are ignored, because the scenario has checked
+    /// the names.
     pub(super) fn new(layout: &Layout, channels: &Channels) -> Self {
         let readings = layout.steers.iter().map(|steer| Readings::new(&steer.reads, channels, layout)).collect();
         Self { readings, ..Self::default() }
     }
 
-    /// The columns that a steering element reads.
+    /// Returns the readings of the columns that a steering element reads.
     pub(super) fn readings(&mut self, steer: usize) -> &mut Readings<S> {
         &mut self.readings[steer]
     }
 
-    /// A stage as a row shows it: with each input at the stage's time.
+    /// Returns the stage as a row shows it: with each input at the stage's time.
     pub(super) fn shown<'a>(&'a mut self, plant: &Plant<S>, at: Stage<'a, S>) -> Stage<'a, S> {
         if self.readings.is_empty() {
             return at;
@@ -67,13 +68,13 @@ impl<S: Scalar> Steering<S> {
         Stage { d: &self.shown, ..at }
     }
 
-    /// The user set an input. Of several moves between two steps the last counts.
+    /// Records a change of an input by the user. Of several changes between two steps, the last one counts.
     pub(super) fn moved(&mut self, steps: u64, input: usize, value: f64) {
         self.moves.retain(|&(at, moved, _)| (at, moved) != (steps, input));
         self.moves.push((steps, input, value));
     }
 
-    /// A parameter was set. Of several times between two steps the last counts.
+    /// Records that a parameter was set. Of several changes between two steps, the last one counts.
     pub(super) fn parameter_set(&mut self, steps: u64, name: &str) {
         self.parameters.retain(|(at, set)| (*at, set.as_str()) != (steps, name));
         self.parameters.push((steps, name.to_owned()));
@@ -119,7 +120,7 @@ impl<S: Scalar> Simulation<S> {
         Ok(())
     }
 
-    /// The user's moves so far, in order of time.
+    /// Returns the user's changes of inputs so far, in order of time.
     pub fn lever_moves(&self) -> Vec<LeverMove> {
         let inputs = &self.plant.layout().inputs;
         let lever_move = |&(steps, input, value): &(u64, usize, f64)| LeverMove {
@@ -130,8 +131,8 @@ impl<S: Scalar> Simulation<S> {
         self.steering.moves.iter().map(lever_move).collect()
     }
 
-    /// Parameters set since the start of the run, in order of time: with them, [`lever_moves`](Self::lever_moves) alone
-    /// do not reproduce the run.
+    /// Returns the parameters set since the start of the run, in order of time: if there are any,
+    /// [`lever_moves`](Self::lever_moves) alone do not reproduce the run.
     pub fn parameters_set(&self) -> Vec<ParameterSet> {
         let set = |(steps, name): &(u64, String)| ParameterSet {
             time_s: *steps as f64 * self.settings.step_s,

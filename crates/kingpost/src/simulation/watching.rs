@@ -4,17 +4,17 @@ use crate::elements::{AnyWatcher, Warning};
 use crate::results::Channels;
 use crate::scalar::Scalar;
 
-/// Watchers, each with the places of its columns in a row.
+/// Watchers, each with the indices of its columns in a row.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Watching {
     watched: Vec<(Vec<usize>, AnyWatcher)>,
-    /// The watchers before the first row.
+    /// Copies of the watchers before the first row.
     fresh: Vec<(Vec<usize>, AnyWatcher)>,
     values: Vec<f64>,
 }
 
 impl Watching {
-    /// The watchers whose columns all exist.
+    /// Creates the set of watchers whose columns all exist.
     pub(super) fn new(watchers: Vec<AnyWatcher>, channels: &Channels) -> Self {
         let placed = |watcher: AnyWatcher| {
             let places: Option<Vec<usize>> = watcher.columns().iter().map(|column| channels.place(column)).collect();
@@ -24,7 +24,7 @@ impl Watching {
         Self { fresh: watched.clone(), watched, values: Vec::new() }
     }
 
-    /// Sees a row.
+    /// Passes a row to the watchers.
     pub(super) fn see<S: Scalar>(&mut self, row: &[S]) {
         let Self { watched, values, .. } = self;
         for (places, watcher) in watched {
@@ -34,12 +34,12 @@ impl Watching {
         }
     }
 
-    /// Forgets all rows.
+    /// Resets the watchers to before the first row.
     pub(super) fn begin_anew(&mut self) {
         self.watched.clone_from(&self.fresh);
     }
 
-    /// The warnings so far.
+    /// Returns the warnings so far.
     pub(super) fn warnings(&self) -> impl Iterator<Item = Warning> {
         self.watched.iter().flat_map(|(_, watcher)| watcher.warnings())
     }

@@ -1,13 +1,13 @@
-//! The exponential of a square matrix of any size.
+//! Exponential of a square matrix of any size.
 
 use nalgebra::DMatrix;
 
-/// Largest norm: beyond it the exponential is rounding noise.
+/// Largest norm of a matrix whose exponential is computed: beyond it the result would be rounding noise.
 const LARGEST_NORM: f64 = 1e9;
 
-/// The exponential of a matrix by Taylor's series of a small part of it, squared again (Moler & Van Loan, "Nineteen dubious
-/// ways to compute the exponential of a matrix", *SIAM Review* 45(1), 2003, method 3): to rounding with 18 terms up to a norm
-/// of 1/2. NaN beyond the largest norm.
+/// Returns the exponential of a matrix by scaling and squaring, with Taylor's series of the scaled matrix
+/// (Moler & Van Loan, "Nineteen dubious ways to compute the exponential of a matrix", *SIAM Review* 45(1),
+/// 2003, method 3): exact to rounding with 18 terms up to a norm of 1/2. NaN beyond the largest norm.
 pub fn exponential(matrix: DMatrix<f64>) -> DMatrix<f64> {
     let n = matrix.nrows();
     let norm = matrix.norm();

@@ -7,7 +7,7 @@ use crate::scalar::Scalar;
 /// its parent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame<S = f64> {
-    /// R: turns child components into parent components.
+    /// R: converts child components to parent components.
     pub rotation: Matrix3<S>,
     /// Origin of the child in parent components, m.
     pub position: Vector3<S>,
@@ -20,59 +20,60 @@ impl<S: Scalar> Default for Frame<S> {
 }
 
 impl<S: Scalar> Frame<S> {
-    /// The child coincides with its parent.
+    /// Returns the frame of a child that coincides with its parent.
     pub const fn identity() -> Self {
         Self { rotation: Matrix3::identity(), position: Vector3::zero() }
     }
 
-    /// "Translate, do not rotate."
+    /// Returns a translation without rotation ("translate, do not rotate").
     pub fn translation(position: Vector3<S>) -> Self {
         Self { rotation: Matrix3::identity(), position }
     }
 
-    /// Product of frame connection matrices (eq. 26): `E(b seen from the parent) = self * b`.
+    /// Returns the product of frame connection matrices (eq. 26): `E(b seen from the parent) = self * b`.
     #[inline]
     pub fn times(&self, b: &Self) -> Self {
         Self { rotation: self.rotation * b.rotation, position: self.position + self.rotation * b.position }
     }
 
-    /// The group inverse (eq. 22).
+    /// Returns the group inverse (eq. 22).
     #[inline]
     pub fn inverse(&self) -> Self {
         let rotation = self.rotation.transpose();
         Self { rotation, position: -(rotation * self.position) }
     }
 
-    /// A point of the child in parent components, m.
+    /// Returns a point of the child in parent components, m.
     #[inline]
     pub fn point(&self, p: Vector3<S>) -> Vector3<S> {
         self.position + self.rotation * p
     }
 
-    /// The parent's twist for a child fixed to it (the first terms of eqs. 36-37): about the child's origin, in child
-    /// components.
+    /// Returns the twist of a child that is fixed to the parent (the first terms of eqs. 36-37): about the
+    /// child's origin, in child components.
     #[inline]
     pub fn twist_to_child(&self, parent: &Twist<S>) -> Twist<S> {
         let linear = parent.linear + parent.angular.cross(self.position);
         Twist { angular: self.rotation.transpose_times(parent.angular), linear: self.rotation.transpose_times(linear) }
     }
 
-    /// A twist about the child's origin in child components, moved to the parent's.
+    /// Converts a twist about the child's origin in child components to one about the parent's origin in
+    /// parent components.
     #[inline]
     pub fn twist_to_parent(&self, child: &Twist<S>) -> Twist<S> {
         let angular = self.rotation * child.angular;
         Twist { angular, linear: self.rotation * child.linear + self.position.cross(angular) }
     }
 
-    /// A wrench about the child's origin in child components, moved to the parent's: the dual of
-    /// [`Frame::twist_to_child`].
+    /// Converts a wrench about the child's origin in child components to one about the parent's origin in
+    /// parent components: the dual of [`Frame::twist_to_child`].
     #[inline]
     pub fn wrench_to_parent(&self, child: &Wrench<S>) -> Wrench<S> {
         let force = self.rotation * child.force;
         Wrench { moment: self.rotation * child.moment + self.position.cross(force), force }
     }
 
-    /// The inverse of [`Frame::wrench_to_parent`].
+    /// Returns the inverse of [`Frame::wrench_to_parent`].
     #[inline]
     pub fn wrench_to_child(&self, parent: &Wrench<S>) -> Wrench<S> {
         let moment = parent.moment - self.position.cross(parent.force);
@@ -100,7 +101,7 @@ mod tests {
     }
 
     #[test]
-    fn inverse_undoes() {
+    fn the_inverse_frame_cancels_the_frame() {
         let e = Frame { rotation: exp(Vector3::new(0.4, -0.7, 1.1)), position: Vector3::new(1.0, 2.0, -0.5) };
         let i = e.times(&e.inverse());
         assert!(i.position.norm() < 1e-15 && (i.rotation.0[0][0] - 1.0_f64).abs() < 1e-15);

@@ -1,4 +1,4 @@
-//! The 6x6 inertia of a body.
+//! 6x6 inertia of a body.
 
 use super::{Frame, Matrix3, Symmetric3, Twist, Vector3, Wrench, hat};
 use crate::scalar::Scalar;
@@ -17,19 +17,19 @@ use core::ops::{Add, AddAssign, Sub};
 pub struct SpatialInertia<S = f64> {
     /// Moments of inertia J, kg m^2.
     pub angular: Symmetric3<S>,
-    /// Angular momentum per velocity, kg m.
+    /// Angular momentum per linear velocity, kg m.
     pub coupling: Matrix3<S>,
-    /// Mass, direction by direction, kg.
+    /// Mass in each direction, kg.
     pub linear: Symmetric3<S>,
 }
 
 impl<S: Scalar> SpatialInertia<S> {
-    /// A rigid body about its centre of mass: mass in kg, J in kg m^2 in body axes.
+    /// Returns the inertia of a rigid body about its centre of mass: mass in kg, J in kg m^2 in body axes.
     pub fn rigid(mass: S, moments: Symmetric3<S>) -> Self {
         Self { angular: moments, coupling: Matrix3::zero(), linear: Symmetric3::diagonal([mass; 3]) }
     }
 
-    /// From the full 6x6 by rows, angular part first; the matrix is taken as symmetric.
+    /// Creates the inertia from a symmetric 6x6 matrix by rows, angular part first; only its upper triangle is read.
     pub fn from_rows(rows: &[[S; 6]; 6]) -> Self {
         let block = |r: usize, c: usize| Matrix3::from_fn(|i, j| rows[r + i][c + j]);
         Self {
@@ -39,7 +39,7 @@ impl<S: Scalar> SpatialInertia<S> {
         }
     }
 
-    /// Momentum of a twist: the moment part is angular momentum, the force part linear.
+    /// Returns the momentum of a twist: its moment part is angular momentum, its force part linear momentum.
     #[inline]
     pub fn times(&self, t: &Twist<S>) -> Wrench<S> {
         Wrench {
@@ -48,7 +48,7 @@ impl<S: Scalar> SpatialInertia<S> {
         }
     }
 
-    /// Twice the kinetic energy, `v^T I v` (eq. 47, written with the transpose it needs).
+    /// Returns twice the kinetic energy, `v^T I v` (eq. 47, with the transpose that it needs).
     #[inline]
     pub fn quadratic(&self, t: &Twist<S>) -> S {
         self.times(t).dot(t)
@@ -67,7 +67,7 @@ impl<S: Scalar> SpatialInertia<S> {
         Self { angular: Symmetric3::from_upper(&angular), coupling, linear }
     }
 
-    /// `self - u u^T k`: an articulated inertia with one joint direction free.
+    /// Returns `self - u u^T k`: an articulated inertia with one free joint direction.
     #[inline]
     pub fn minus_outer(&self, u: &Wrench<S>, k: S) -> Self {
         Self {
@@ -102,7 +102,7 @@ impl<S: Scalar> SpatialInertia<S> {
         Twist { angular, linear: Vector3(linear) }
     }
 
-    /// Whether this is a rigid body about its centre of mass: the paper's block-diagonal M.
+    /// Returns whether this is a rigid body about its centre of mass, with the paper's block-diagonal M.
     pub fn is_rigid_about_centre_of_mass(&self) -> bool {
         let m = &self.linear;
         self.coupling == Matrix3::zero()
@@ -112,7 +112,7 @@ impl<S: Scalar> SpatialInertia<S> {
     }
 }
 
-/// `L D L^T` of a symmetric matrix.
+/// Factors `L D L^T` of a symmetric matrix.
 struct Pivots<S> {
     /// Reciprocals of D.
     reciprocal: [S; 3],
@@ -198,9 +198,9 @@ impl<S: Scalar> AddAssign for SpatialInertia<S> {
 }
 
 impl Symmetric3<f64> {
-    /// Whether these can be a body's moments of inertia: the second moments of mass,
-    /// `tr(J)/2 I - J`, are not negative in any direction, which is the triangle inequality of the
-    /// principal moments. A rod and a plate reach the limit; rounding is allowed for.
+    /// Returns whether these can be the moments of inertia of a body: the second moments of mass, `tr(J)/2 I
+    /// - J`, must not be negative in any direction, which is the triangle inequality of the principal
+    /// moments. A rod and a plate are at the limit; rounding is allowed.
     pub fn holds_triangle_inequality(&self) -> bool {
         let entries = [self.xx, self.xy, self.xz, self.yy, self.yz, self.zz];
         if !entries.iter().all(|x| x.is_finite()) {
@@ -212,7 +212,8 @@ impl Symmetric3<f64> {
         let (a, b, c) = (half - xx, half - yy, half - zz);
         let minors = [a * b - xy * xy, a * c - xz * xz, b * c - yz * yz];
         let determinant = a * minors[2] - xy * (xy * c + yz * xz) - xz * (xy * yz + b * xz);
-        // Of minors whose entries are at most 1: rounding of products of inertia with some 13 digits.
+        // Tolerance for minors whose entries are at most 1: rounding of products of inertia with about 13
+        // digits.
         let slack = -1e-12;
         [a, b, c, determinant].iter().chain(&minors).all(|x| *x >= slack)
     }

@@ -22,7 +22,7 @@ impl<S: Scalar> Matrix3<S> {
         Self([[l, o, o], [o, l, o], [o, o, l]])
     }
 
-    /// The matrix whose entry in row i and column j is `f(i, j)`.
+    /// Returns the matrix whose entry in row i and column j is `f(i, j)`.
     #[inline]
     pub fn from_fn(mut f: impl FnMut(usize, usize) -> S) -> Self {
         let mut m = Self::zero();
@@ -77,12 +77,14 @@ impl<S: Scalar> Matrix3<S> {
         Self([[a0 * b0, a0 * b1, a0 * b2], [a1 * b0, a1 * b1, a1 * b2], [a2 * b0, a2 * b1, a2 * b2]])
     }
 
-    /// A rotation matrix whose last column is the unit vector `z`; exactly a permutation if `z` is along an axis.
+    /// Returns a rotation matrix whose last column is the unit vector `z`; exactly a permutation if `z` is
+    /// along an axis.
     ///
-    /// The first column is the part across z of the axis that follows, in the order x, y, z, the largest entry of z.
+    /// The first column is along the component perpendicular to z of an axis: the axis after that of the
+    /// largest entry of z, in the cyclic order x, y, z.
     pub fn with_z(z: Vector3<S>) -> Self {
         let ([a, b, c], one) = (z.0.map(|x| x * x), || S::ONE);
-        // Lane by lane: 1 where the entry is the largest, the later of two that are equal.
+        // In each lane: 1 for the largest entry; for equal entries the later one.
         let x_largest = b.select_less(a, || c.select_less(a, one, || S::ZERO), || S::ZERO);
         let z_largest = c.select_less(b, || S::ZERO, || S::ONE - x_largest);
         let next = Vector3([z_largest, x_largest, S::ONE - x_largest - z_largest]);
@@ -92,7 +94,7 @@ impl<S: Scalar> Matrix3<S> {
         Self([[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]])
     }
 
-    /// `self Rz(angle)`: the frame whose axes are the columns, turned about its own z.
+    /// Returns `self Rz(angle)`: the frame whose axes are the columns, rotated about its own z.
     #[inline]
     pub fn turned_about_z(&self, (sin, cos): (S, S)) -> Self {
         let turned = |[x, y, z]: [S; 3]| [x * cos + y * sin, y * cos - x * sin, z];
@@ -190,7 +192,7 @@ impl<S: Scalar> Symmetric3<S> {
         Matrix3([[self.xx, self.xy, self.xz], [self.xy, self.yy, self.yz], [self.xz, self.yz, self.zz]])
     }
 
-    /// Congruence `R S R^T`: the same tensor in a frame turned by R.
+    /// Returns the congruence `R S R^T`: the tensor in a frame rotated by R.
     #[inline]
     pub fn rotated(self, r: &Matrix3<S>) -> Self {
         let rs = *r * self.to_matrix();
@@ -223,7 +225,7 @@ impl<S: Scalar> Symmetric3<S> {
         }
     }
 
-    /// The inverse, by cofactors; entries are not finite for a singular matrix.
+    /// Returns the inverse, by cofactors; entries are not finite if the matrix is singular.
     #[inline]
     pub fn inverse(self) -> Self {
         let Self { xx, xy, xz, yy, yz, zz } = self;
@@ -304,7 +306,7 @@ mod tests {
             assert!(r.0.iter().flatten().all(|x: &f64| [0.0, 1.0].contains(&x.abs())));
         }
         let turn = exp(Vector3::new(0.4, -0.7, 1.1));
-        // Off by a few units in the last place, as the length of z is.
+        // Tolerance of a few units in the last place, like the error of the length of z.
         for z in [turn.column(0), turn.column(1), turn.column(2), Vector3::new(1.0, 1.0, 1.0) * (1.0 / 3.0_f64.sqrt())]
         {
             let r = Matrix3::with_z(z);

@@ -1,15 +1,15 @@
-//! Unit quaternions (w, x, y, z), in which a state stores rotations.
+//! Unit quaternions (w, x, y, z), by which a state stores rotations.
 
 use super::rotation::SERIES_LIMIT;
 use super::{Matrix3, Vector3};
 use crate::scalar::Scalar;
 
-/// A unit quaternion, scalar part first; it turns body components into the parent's.
+/// A unit quaternion, scalar part first; it converts body components to the parent's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quaternion<S = f64>(pub [S; 4]);
 
 impl<S: Scalar> Quaternion<S> {
-    /// No rotation.
+    /// Returns the quaternion without rotation.
     pub const fn identity() -> Self {
         Self([S::ONE, S::ZERO, S::ZERO, S::ZERO])
     }
@@ -62,7 +62,7 @@ impl<S: Scalar> Quaternion<S> {
         u * (scale + scale)
     }
 
-    /// Quaternion product: first turn by `b`, then by `self`.
+    /// Returns the quaternion product: the rotation by `b`, followed by that by `self`.
     #[inline]
     pub fn times(self, b: Self) -> Self {
         let ([p, x, y, z], [q, u, v, w]) = (self.0, b.0);
@@ -74,7 +74,7 @@ impl<S: Scalar> Quaternion<S> {
         ])
     }
 
-    /// Scaled to unit length.
+    /// Returns the quaternion scaled to unit length.
     #[inline]
     pub fn normalized(self) -> Self {
         let [w, x, y, z] = self.0;
@@ -98,8 +98,8 @@ impl<S: Scalar> Quaternion<S> {
         ])
     }
 
-    /// The unit quaternion of a rotation matrix, with w >= 0, from its largest component (Shepperd 1978). Not for
-    /// lanes, whose largest components may differ.
+    /// Returns the unit quaternion of a rotation matrix, with w >= 0, computed from its largest component
+    /// (Shepperd 1978). Not for lanes, because their largest components can differ.
     pub fn from_matrix(r: &Matrix3<S>) -> Self {
         let (m, one) = (&r.0, S::ONE);
         let squares = [
@@ -118,7 +118,8 @@ impl<S: Scalar> Quaternion<S> {
         if quaternion.0[0].value() < 0.0 { Self(quaternion.0.map(|x| -x)) } else { quaternion }
     }
 
-    /// The unit quaternion of intrinsic z-y-x angles in radians: turn by yaw, then pitch, then roll.
+    /// Returns the unit quaternion of intrinsic z-y-x angles in radians: rotation by yaw, then pitch, then
+    /// roll.
     pub fn from_roll_pitch_yaw(angles: Vector3<S>) -> Self {
         let ([roll, pitch, yaw], o) = (angles.0, S::ZERO);
         let turn = |x, y, z| Self::exp(Vector3::new(x, y, z));

@@ -1,11 +1,11 @@
-//! The inertia of a rigid body in ten numbers.
+//! Inertia of a rigid body in ten numbers.
 
 use super::{Frame, Matrix3, SpatialInertia, Symmetric3, Twist, Vector3, Wrench, hat};
 use crate::scalar::Scalar;
 use core::ops::Add;
 
-/// Mass, first moment and moments of inertia about a frame's origin: the reduced form of a rigid body's
-/// [`SpatialInertia`], for a third of the cost.
+/// Mass, first moment and moments of inertia about a frame's origin: a compact form of a rigid body's
+/// [`SpatialInertia`], at a third of the cost.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RigidInertia<S = f64> {
     /// Mass, kg.
@@ -17,7 +17,7 @@ pub struct RigidInertia<S = f64> {
 }
 
 impl<S: Scalar> SpatialInertia<S> {
-    /// The sum with a rigid body's inertia about the same origin.
+    /// Returns the sum with the inertia of a rigid body about the same origin.
     #[inline]
     pub fn plus_rigid(&self, rigid: &RigidInertia<S>) -> Self {
         let ([x, y, z], [p, q, r], m) = (rigid.first_moment.0, self.coupling.0, rigid.mass);
@@ -31,7 +31,7 @@ impl<S: Scalar> SpatialInertia<S> {
 }
 
 impl<S: Scalar> RigidInertia<S> {
-    /// The ten numbers of a 6x6 inertia, or `None` if it is not that of a rigid body.
+    /// Returns the ten numbers of a 6x6 inertia; `None` if it is not that of a rigid body.
     pub fn from_spatial(inertia: &SpatialInertia<S>) -> Option<Self> {
         let (mass, c) = (inertia.linear.xx, &inertia.coupling.0);
         let first_moment = Vector3::new(c[2][1], c[0][2], c[1][0]);
@@ -40,8 +40,8 @@ impl<S: Scalar> RigidInertia<S> {
         (same.coupling == inertia.coupling && same.linear == inertia.linear).then_some(rigid)
     }
 
-    /// A body about an origin from which its centre of mass is at `centre`, m, with the moments about
-    /// its centre of mass: Steiner's theorem.
+    /// Returns the inertia of a body whose centre of mass is at `centre`, m, from the moments about the
+    /// centre of mass: Steiner's theorem.
     #[inline]
     pub fn of_centre(mass: S, centre: Vector3<S>, moments: &Symmetric3<S>) -> Self {
         let first_moment = centre * mass;
@@ -134,7 +134,7 @@ mod tests {
     }
 
     #[test]
-    fn an_inertia_that_no_rigid_body_has_is_not_taken_for_one() {
+    fn an_inertia_that_is_not_rigid_is_not_accepted_as_rigid() {
         let mut inertia = SpatialInertia::rigid(7.0, Symmetric3::diagonal([5.0, 4.0, 3.0]));
         inertia.linear.yy = 8.0;
         assert_eq!(RigidInertia::from_spatial(&inertia), None);

@@ -3,18 +3,18 @@
 use super::{Matrix3, Vector3};
 use crate::scalar::Scalar;
 
-/// Below this squared angle the coefficients come from their series; with the terms kept, the
-/// truncation error is under 1e-17.
+/// Squared angle below which the coefficients are computed by their series; its truncation error is below
+/// 1e-17.
 pub(super) const SERIES_LIMIT: f64 = 1e-3;
 
-/// Skew matrix of a column, `hat(a) b = a x b` (eq. 8; the paper writes a double arrow).
+/// Returns the skew matrix of a column, `hat(a) b = a x b` (eq. 8; the paper writes a double arrow).
 #[inline]
 pub fn hat<S: Scalar>(a: Vector3<S>) -> Matrix3<S> {
     let ([x, y, z], o) = (a.0, S::ZERO);
     Matrix3([[o, -z, y], [z, o, -x], [-y, x, o]])
 }
 
-/// Unskew: the column whose skew matrix this is, from its skew part (eq. 10).
+/// Returns the column of a skew matrix, from its skew part (eq. 10).
 #[inline]
 pub fn vee<S: Scalar>(m: &Matrix3<S>) -> Vector3<S> {
     let (m, half) = (&m.0, S::constant(0.5));
@@ -36,7 +36,7 @@ pub fn exp<S: Scalar>(a: Vector3<S>) -> Matrix3<S> {
     Matrix3::identity() + skew.scaled(sine) + (skew * skew).scaled(one_minus_cosine)
 }
 
-/// `sin(t)/t` and `(1 - cos(t))/t^2` from `t^2`.
+/// Returns `sin(t)/t` and `(1 - cos(t))/t^2` from `t^2`.
 #[inline]
 fn rodrigues_coefficients<S: Scalar>(t2: S) -> (S, S) {
     let c = S::constant;
@@ -53,18 +53,18 @@ fn rodrigues_coefficients<S: Scalar>(t2: S) -> (S, S) {
     (sine, one_minus_cosine)
 }
 
-/// Logarithm of a rotation matrix: the rotation vector with an angle in [0, pi] rad.
+/// Returns the logarithm of a rotation matrix: the rotation vector with an angle in [0, pi] rad.
 pub fn log(r: &Matrix3<f64>) -> Vector3<f64> {
     let sine_axis = vee(r);
     let cosine = 0.5 * (r.0[0][0] + r.0[1][1] + r.0[2][2] - 1.0);
     let sine = sine_axis.norm();
     let angle = libm::atan2(sine, cosine);
     if cosine > -0.9 {
-        // angle / sine - 1 is sine^2 / 6: below rounding.
+        // angle / sine - 1 is sine^2 / 6, which is below rounding.
         let scale = if sine < 1e-8 { 1.0 } else { angle / sine };
         return sine_axis * scale;
     }
-    // Near half a turn the skew part vanishes; the symmetric part still holds the axis.
+    // Near half a turn the skew part vanishes, but the symmetric part contains the axis.
     let squares: [f64; 3] = core::array::from_fn(|i| ((r.0[i][i] - cosine) / (1.0 - cosine)).max(0.0));
     let largest = (0..3).fold(0, |best, i| if squares[i] > squares[best] { i } else { best });
     let pivot = libm::sqrt(squares[largest]);
@@ -76,7 +76,8 @@ pub fn log(r: &Matrix3<f64>) -> Vector3<f64> {
     axis * (sign * angle / axis.norm())
 }
 
-/// Computes the logarithm of a rotation well below half a turn, with derivatives: `t / sin(t)` times the skew part.
+/// Computes the logarithm of a rotation well below half a turn, with derivatives: `t / sin(t)` times the skew
+/// part.
 pub fn log_of_part_turn<S: Scalar>(r: &Matrix3<S>) -> Vector3<S> {
     let (sine_axis, c) = (vee(r), S::constant);
     let square = sine_axis.norm_squared();
@@ -94,9 +95,9 @@ pub fn log_of_part_turn<S: Scalar>(r: &Matrix3<S>) -> Vector3<S> {
     sine_axis * scale
 }
 
-/// Rate of the rotation vector `a` when `R = R0 exp(hat(a))` turns with angular velocity `omega`
-/// in body components: `a' = omega + a x omega / 2 + c a x (a x omega)` with
-/// `c = (1 - t/2 cot(t/2)) / t^2` (Munthe-Kaas 1998; Iserles et al. 2000, eq. B.11, in body form).
+/// Returns the rate of the rotation vector `a` if `R = R0 exp(hat(a))` rotates with the angular velocity
+/// `omega` in body components: `a' = omega + a x omega / 2 + c a x (a x omega)` with `c = (1 - t/2 cot(t/2))
+/// / t^2` (Munthe-Kaas 1998; Iserles et al. 2000, eq. B.11, in body form).
 pub fn dexp_inverse_body<S: Scalar>(a: Vector3<S>, omega: Vector3<S>) -> Vector3<S> {
     let c = S::constant;
     let t2 = a.norm_squared();
@@ -111,14 +112,14 @@ pub fn dexp_inverse_body<S: Scalar>(a: Vector3<S>, omega: Vector3<S>) -> Vector3
     omega + first * c(0.5) + a.cross(first) * coefficient
 }
 
-/// Rotation matrix of roll about x, pitch about y and yaw about z, intrinsic z-y-x, in radians:
+/// Returns the rotation matrix of roll about x, pitch about y and yaw about z, intrinsic z-y-x, in radians:
 /// `R = Rz(yaw) Ry(pitch) Rx(roll)`.
 pub fn rotation_from_roll_pitch_yaw<S: Scalar>(roll_pitch_yaw: Vector3<S>) -> Matrix3<S> {
     let ([roll, pitch, yaw], o) = (roll_pitch_yaw.0, S::ZERO);
     exp(Vector3::new(o, o, yaw)) * exp(Vector3::new(o, pitch, o)) * exp(Vector3::new(roll, o, o))
 }
 
-/// Roll, pitch and yaw in radians of a rotation matrix; pitch in [-pi/2, pi/2].
+/// Returns roll, pitch and yaw in radians of a rotation matrix; pitch in [-pi/2, pi/2].
 pub fn roll_pitch_yaw<S: Scalar>(r: &Matrix3<S>) -> Vector3<S> {
     let m = &r.0;
     let roll = m[2][1].atan2(m[2][2]);
@@ -158,7 +159,7 @@ mod tests {
     }
 
     #[test]
-    fn rotation_vector_rate_gives_back_the_body_rate_by_differences() {
+    fn the_rotation_vector_rate_agrees_with_the_body_rate_by_differences() {
         let omega = Vector3::new(0.7, -1.1, 0.4);
         for v in VECTORS {
             let (a, h) = (Vector3(v), 1e-5);

@@ -4,7 +4,7 @@ use super::Vector3;
 use crate::scalar::Scalar;
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
-/// Omega of eq. 29: a body's velocity in body components, about the body's origin.
+/// Omega of eq. 29: velocity of a body in body components, about the body's origin.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Twist<S = f64> {
     /// Angular velocity, rad/s.
@@ -23,12 +23,13 @@ pub struct Wrench<S = f64> {
 }
 
 impl<S: Scalar> Twist<S> {
-    /// No motion.
+    /// Returns the twist of a body at rest.
     pub const fn zero() -> Self {
         Self { angular: Vector3::zero(), linear: Vector3::zero() }
     }
 
-    /// Lie bracket of se(3): the rate of the twist `b` that is fixed in a frame moving with `self`.
+    /// Returns the Lie bracket of se(3): the rate of the twist `b` that is fixed in a frame moving with
+    /// `self`.
     #[inline]
     pub fn cross(&self, b: &Self) -> Self {
         Self {
@@ -37,7 +38,7 @@ impl<S: Scalar> Twist<S> {
         }
     }
 
-    /// Dual bracket: the rate of the momentum `p` that is fixed in a frame moving with `self`.
+    /// Returns the dual bracket: the rate of the momentum `p` that is fixed in a frame moving with `self`.
     /// For `p = I v` it is the velocity term of Kirchhoff's equations.
     #[inline]
     pub fn cross_momentum(&self, p: &Wrench<S>) -> Wrench<S> {
@@ -46,12 +47,12 @@ impl<S: Scalar> Twist<S> {
 }
 
 impl<S: Scalar> Wrench<S> {
-    /// No load.
+    /// Returns the zero wrench.
     pub const fn zero() -> Self {
         Self { moment: Vector3::zero(), force: Vector3::zero() }
     }
 
-    /// Power of the wrench on a twist, W: `M . omega + F . v` (Table 1).
+    /// Returns the power of the wrench on a twist, W: `M . omega + F . v` (Table 1).
     #[inline]
     pub fn dot(&self, t: &Twist<S>) -> S {
         self.moment.dot(t.angular) + self.force.dot(t.linear)

@@ -29,7 +29,7 @@ impl<S: Scalar> Vector3<S> {
     /// Reads the first three entries of a slice.
     ///
     /// # Panics
-    /// When the slice has fewer than three entries.
+    /// If the slice has fewer than three entries.
     #[inline]
     pub fn from_slice(v: &[S]) -> Self {
         Self([v[0], v[1], v[2]])
@@ -47,7 +47,7 @@ impl<S: Scalar> Vector3<S> {
         self.0[0] * b.0[0] + self.0[1] * b.0[1] + self.0[2] * b.0[2]
     }
 
-    /// Vector product `self x b`; the paper writes it as a skew matrix times a column.
+    /// Returns the vector product `self x b`; the paper writes it as a skew matrix times a column.
     #[inline]
     pub fn cross(self, b: Self) -> Self {
         let ([a0, a1, a2], [b0, b1, b2]) = (self.0, b.0);
@@ -66,8 +66,8 @@ impl<S: Scalar> Vector3<S> {
         self.norm_squared().sqrt()
     }
 
-    /// The unit column along this one, which must not be zero. Scaled by the largest component
-    /// first, so that no length overflows.
+    /// Returns the unit vector along this one, which must not be zero. The components are first divided by
+    /// the largest one, so that the length does not overflow.
     pub fn direction(self) -> Self {
         let size = |x: S| x.select_below(0.0, || -x, || x);
         let larger = |a: S, b: S| a.select_less(b, || b, || a);

@@ -1,23 +1,23 @@
-//! The current: steady and uniform at each depth.
+//! Current: steady and uniform at each depth.
 
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
-/// A current that may change with the depth.
+/// A current that can vary with depth.
 #[derive(Clone, Debug)]
 pub struct Current<S = f64> {
     /// Velocity at the surface, world, m/s.
     pub surface: Vector3<S>,
-    /// Its variation with depth.
+    /// Variation of the velocity with depth.
     pub profile: CurrentProfile<S>,
 }
 
-/// A current over depth.
+/// Profile of a current over depth.
 #[derive(Clone, Debug)]
 pub enum CurrentProfile<S = f64> {
-    /// Speed that is the same at all depths.
+    /// Velocity that is the same at all depths.
     Uniform,
-    /// n of U(z) = U ((h + z) / h)^n over the depth h.
+    /// Exponent n of the power law U(z) = U ((h + z) / h)^n over the water depth h.
     PowerLaw(S),
     /// Velocities at given depths.
     Table(CurrentTable<S>),
@@ -26,32 +26,32 @@ pub enum CurrentProfile<S = f64> {
 /// Velocities at depths that increase from 0, linear between them and constant below the last.
 #[derive(Clone, Debug)]
 pub struct CurrentTable<S = f64> {
-    /// m.
+    /// Depths, m.
     pub depths: Vec<f64>,
-    /// World, m/s, one for each depth.
+    /// Velocity at each depth, world, m/s.
     pub velocities: Vec<[S; 2]>,
 }
 
-/// Velocity of a current profile that is used.
+/// The velocity of a current profile that a load uses.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum CurrentAt<S = f64> {
     /// The velocity at the surface.
     Surface,
-    /// The velocity whose drag V |V| is the mean over this draught, m.
+    /// The velocity V whose drag V |V| equals the mean drag over this draught, m.
     MeanSquareOver(S),
-    /// The mean over this draught, m.
+    /// The mean velocity over this draught, m.
     MeanOver(S),
     /// The velocity at this depth, m.
     Depth(S),
 }
 
 impl<S: Scalar> Current<S> {
-    /// Water that stands.
+    /// Returns still water.
     pub fn none() -> Self {
         Self { surface: Vector3::zero(), profile: CurrentProfile::Uniform }
     }
 
-    /// The velocity that is used, for a water depth in m; world, m/s.
+    /// Returns the velocity that a load uses, for a water depth in m; world, m/s.
     pub fn at(&self, place: &CurrentAt<S>, depth: Option<S>) -> Vector3<S> {
         match (&self.profile, depth) {
             (CurrentProfile::PowerLaw(exponent), Some(depth)) => self.surface * share(place, *exponent, depth),
@@ -66,8 +66,8 @@ impl<S: Scalar> Current<S> {
     }
 }
 
-/// The used share of the surface speed by the power law: its square over the draught T is h / T (1 - (1 - T / h)^(2 n +
-/// 1)) / (2 n + 1).
+/// Returns the ratio of the velocity that a load uses to the surface velocity, by the power law. Its mean
+/// square over the draught T is h / T (1 - (1 - T / h)^(2 n + 1)) / (2 n + 1).
 fn share<S: Scalar>(place: &CurrentAt<S>, exponent: S, depth: S) -> S {
     let mean_of_power = |exponent: S, draught: S| {
         let power = exponent + S::ONE;
@@ -98,11 +98,11 @@ const RULE: [(f64, f64); 4] = [
     (0.930_568_155_797_026_3, 0.173_927_422_568_726_93),
 ];
 
-/// Square of a speed below which there is no drag, m^2/s^2.
+/// Square of a speed below which the drag is 0, m^2/s^2.
 const STILL: f64 = 1e-18;
 
 impl<S: Scalar> CurrentTable<S> {
-    /// The velocity at a depth, m.
+    /// Returns the velocity at a depth, m.
     fn at(&self, depth: S) -> [S; 2] {
         let rows = self.depths.windows(2).zip(self.velocities.windows(2));
         rows.fold(self.velocities[0], |sum, (depths, velocities)| {
@@ -111,12 +111,13 @@ impl<S: Scalar> CurrentTable<S> {
         })
     }
 
-    /// The part of a row's depth interval above a depth, m.
+    /// Returns the length of a row's depth interval that is above a depth, m.
     fn covered(&self, row: &[f64], depth: S) -> S {
         (depth - S::constant(row[0])).clipped(S::ZERO, S::constant(row[1] - row[0]))
     }
 
-    /// The mean over a draught, m, of a function of the velocity: exact for polynomials of order 7 between rows.
+    /// Returns the mean of a function of the velocity over a draught, m: exact for polynomials of order 7
+    /// between rows.
     fn mean(&self, draught: S, of: impl Fn([S; 2]) -> [S; 2]) -> [S; 2] {
         let mut sum = [S::ZERO; 2];
         let mut add = |velocity: [S; 2], weight: S| {
@@ -137,7 +138,7 @@ impl<S: Scalar> CurrentTable<S> {
         sum.map(|x| x / draught)
     }
 
-    /// V of `V |V|` = the mean of `U |U|`.
+    /// Returns V for which `V |V|` is the mean of `U |U|`.
     fn mean_square(&self, draught: S) -> Vector3<S> {
         let size = |[x, y]: [S; 2]| {
             let square = x * x + y * y;

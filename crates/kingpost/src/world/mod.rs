@@ -1,7 +1,7 @@
 //! The world outside the model: gravity, the water and its waves, current, wind and gusts.
 //!
-//! It is realised once, when a run is built. Elements and views evaluate it at a position and a time; none has its own
-//! sea, wind or gravity.
+//! It is realised once, when a run is built. All elements and views evaluate this world at a position and a
+//! time; no element has a separate sea, wind or gravity.
 
 mod current;
 mod gusts;
@@ -39,7 +39,7 @@ impl<S: Scalar> Default for World<S> {
 }
 
 impl<S: Scalar> World<S> {
-    /// The water in plain numbers, for checks that no derivative goes through.
+    /// Returns the water in plain numbers, for checks without derivatives.
     pub fn plain_water(&self) -> Water {
         Water {
             density_kg_m3: self.water_density.value(),
@@ -48,7 +48,7 @@ impl<S: Scalar> World<S> {
         }
     }
 
-    /// Sea water of infinite depth at rest; no wind, no gravity.
+    /// Returns a world with sea water of infinite depth at rest, without wind and gravity.
     pub fn calm() -> Self {
         Self {
             gravity: S::ZERO,
@@ -65,30 +65,30 @@ impl<S: Scalar> World<S> {
         Self { gravity, ..self }
     }
 
-    /// rho g of the water, N/m^3.
+    /// Returns rho g of the water, N/m^3.
     pub fn specific_weight(&self) -> S {
         self.water_density * self.gravity
     }
 
-    /// The factor of the waves' amplitudes at a time, with its first and second rate.
+    /// Returns the ramp factor of the waves' amplitudes at a time, with its first and second rate.
     pub fn wave_ramp(&self, time_s: f64) -> [f64; 3] {
         self.waves.as_ref().map_or([1.0, 0.0, 0.0], |waves| waves.ramp_and_rates(time_s))
     }
 
-    /// Velocity of the water at its surface without waves, world, m/s.
+    /// Returns the velocity of the current at the water's surface, world, m/s.
     pub fn surface_current(&self) -> Vector3<S> {
         self.current.surface
     }
 
-    /// Velocity of the current that a load uses, world, m/s.
+    /// Returns the velocity of the current that a load uses, world, m/s.
     pub fn current_at(&self, place: &CurrentAt<S>) -> Vector3<S> {
         self.current.at(place, self.depth)
     }
 }
 
 impl World {
-    /// Elevation of the incident waves at a time, m, at every grid point of x and y, world, m: along the first x first;
-    /// 0 in calm water. It contains no radiated or diffracted waves.
+    /// Returns the elevation of the incident waves at a time, m, at every grid point of x and y, world, m:
+    /// first all points of the first x; 0 in calm water. It does not contain radiated or diffracted waves.
     pub fn elevations_m(&self, x: &[f64], y: &[f64], time_s: f64) -> Vec<f64> {
         match &self.waves {
             Some(waves) => waves.elevations_m(x, y, time_s),

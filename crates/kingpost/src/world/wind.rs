@@ -1,21 +1,21 @@
-//! The wind: uniform at each height, steady or with gusts.
+//! Wind: uniform at each height, steady or with gusts.
 
 use super::gusts::{Gusts, GustsAtHeight, MeanWind};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
-/// A wind, by its mean speed at one height and its profile over height.
+/// A wind with its mean speed at one height and its profile over height.
 #[derive(Clone, Debug)]
 pub struct Wind<S = f64> {
     /// Mean speed at the reference height, m/s.
     pub speed: S,
-    /// Cosine and sine of the direction that it goes to, from the world's x counter-clockwise.
+    /// Cosine and sine of the direction to which the wind blows, from the world's x counter-clockwise.
     pub direction: [S; 2],
     /// Reference height above the still water, m.
     pub reference_height: S,
-    /// Mean speed over height.
+    /// Profile of the mean speed over height.
     pub profile: WindProfile<S>,
-    /// Variation of its speed about the mean; `None` if it is steady.
+    /// Variation of the speed about the mean; `None` if the wind is steady.
     pub gusts: Option<Gusts<S>>,
     /// Density of the air, kg/m^3.
     pub air_density: S,
@@ -36,30 +36,30 @@ pub enum WindProfile<S = f64> {
 }
 
 impl<S: Scalar> Wind<S> {
-    /// Mean velocity at a height above the still water, m; world, m/s.
+    /// Returns the mean velocity at a height above the still water, m; world, m/s.
     pub fn at_height(&self, height: S) -> Vector3<S> {
         self.along(self.mean_speed(height))
     }
 
-    /// A velocity of this speed in the wind's direction, world.
+    /// Returns a velocity with this speed in the wind's direction, world.
     pub fn along(&self, speed: S) -> Vector3<S> {
         let [cos, sin] = self.direction;
         Vector3::new(speed * cos, speed * sin, S::ZERO)
     }
 
-    /// The gusts at a height above the still water, m.
+    /// Returns the gusts at a height above the still water, m.
     pub fn gusts_at_height(&self, height: S) -> Option<GustsAtHeight<S>> {
         let at_ten_metres = self.mean_speed(S::constant(10.0));
         let mean = MeanWind { height, speed: self.mean_speed(height), at_ten_metres };
         self.gusts.as_ref().map(|gusts| gusts.at_height(&mean))
     }
 
-    /// Mean speed at a height, m/s.
+    /// Returns the mean speed at a height, m/s.
     fn mean_speed(&self, height: S) -> S {
         self.speed * self.share_at(height)
     }
 
-    /// Speed at a height over that at the reference height.
+    /// Returns the ratio of the speed at a height to that at the reference height.
     fn share_at(&self, height: S) -> S {
         match self.profile {
             WindProfile::Uniform => S::ONE,

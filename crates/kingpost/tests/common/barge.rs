@@ -1,4 +1,4 @@
-//! A box barge with invented waves of its own, whose every coefficient is a formula.
+//! A box barge with invented waves; every coefficient has a formula.
 
 use kingpost::scenario::{Files, Scenario, read_with};
 use serde_json::{Value, json};

@@ -1,4 +1,4 @@
-//! A hoist that is a part, a ship that mounts it, and reading the two.
+//! A part that is a hoist, a ship on which it is mounted, and functions that read both.
 
 use kingpost::scenario::{Files, Scenario, ScenarioError, read_with};
 use serde_json::Value;

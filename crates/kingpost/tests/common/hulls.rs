@@ -1,4 +1,4 @@
-//! Hull meshes whose hydrostatics are closed forms, and one that has no symmetry.
+//! Hull meshes whose hydrostatics have closed forms, and one without symmetry.
 
 use kingpost::scalar::{Dual, Scalar};
 use kingpost::sea::hull::HullMesh;
@@ -66,7 +66,7 @@ pub fn ship(length: f64, beam: f64, depth: f64, divisions: usize) -> HullMesh {
     HullMesh::new(vertices, triangles).expect("a hull")
 }
 
-/// Returns the hull seen from another frame.
+/// Returns the hull in another frame.
 pub fn moved(mesh: &HullMesh, mesh_in_frame: &Frame) -> HullMesh {
     let vertices = mesh.vertices().iter().map(|&r| mesh_in_frame.point(r).0).collect();
     let triangles = mesh.triangles().map(|corners| corners.map(|i| i as usize)).collect();
@@ -84,7 +84,7 @@ pub fn place(turn: [f64; 3], height: f64) -> Frame {
     Frame { rotation: exp(Vector3(turn)), position: Vector3::new(11.0, -7.0, height) }
 }
 
-/// The pose after a small translation and turn in its own axes, as six variables.
+/// Returns the pose after a small translation and rotation in its axes, as six variables.
 pub fn varied(pose: &Frame) -> Frame<Dual<6>> {
     let variable = |first: usize| Vector3([0, 1, 2].map(|k| Dual::variable(0.0, first + k)));
     let constant = Frame {
@@ -94,7 +94,7 @@ pub fn varied(pose: &Frame) -> Frame<Dual<6>> {
     constant.times(&Frame { rotation: exp(variable(3)), position: variable(0) })
 }
 
-/// Force and moment as one list, the moment over 10 m to make their sizes alike.
+/// Returns force and moment as one list; the moment is divided by 10 m, so that both have similar size.
 pub fn entries(wrench: &Wrench) -> [f64; 6] {
     let ([fx, fy, fz], [mx, my, mz]) = (wrench.force.0, wrench.moment.0);
     [fx, fy, fz, mx / 10.0, my / 10.0, mz / 10.0]
@@ -109,13 +109,13 @@ pub fn box_barge(divisions: usize) -> HullMesh {
     barge(20.0, 10.0, 4.0, 2.0, divisions)
 }
 
-/// Holds a number to another, relative to that.
+/// Checks a number against another, relative to that one.
 pub fn close(found: f64, expected: f64, relative: f64) {
     let allowed = relative * expected.abs().max(1e-300);
     assert!((found - expected).abs() <= allowed, "{found} instead of {expected}");
 }
 
-/// Holds a number to another.
+/// Checks a number against another.
 pub fn near(found: f64, expected: f64, allowed: f64) {
     assert!((found - expected).abs() <= allowed, "{found} instead of {expected}");
 }

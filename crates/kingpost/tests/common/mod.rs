@@ -67,8 +67,8 @@ pub fn values(simulation: &mut Simulation, variable: &str) -> Vec<f64> {
     row[channel.offset..][..channel.len].to_vec()
 }
 
-/// Holds the exact derivatives of a scenario after 200 steps to central differences. Those
-/// with step h err by h squared times a third derivative, and by rounding over h.
+/// Checks the exact derivatives of a scenario after 200 steps against central differences. The error of
+/// differences with step h is h squared times a third derivative, plus rounding over h.
 pub fn assert_linearised(text: &str) {
     let scenario = kingpost::scenario::read(text, "test.yaml", &[]).expect("the scenario reads");
     let mut simulation = scenario.simulation().expect("the scenario builds");
@@ -98,7 +98,7 @@ pub fn assert_linearised(text: &str) {
     assert_eq!(linear.rates[n..2 * n], simulation.acceleration(None).expect("accelerations")[..]);
 }
 
-/// Accelerations of all coordinates a little away from where a simulation stands.
+/// Returns the accelerations of all coordinates in a state near that of a simulation.
 fn accelerations(simulation: &Simulation, xi: &[f64], dv: &[f64]) -> Vec<f64> {
     let mut moved = simulation.clone();
     let q = simulation.moved(&simulation.state().q, xi);
@@ -240,7 +240,7 @@ impl Random {
         trees::tree_of(self.0.random()).model()
     }
 
-    /// Positions and velocities; held coordinates stand still.
+    /// Returns positions and velocities; held coordinates are at rest.
     pub fn state(&mut self, model: &Model) -> (Vec<f64>, Vec<f64>) {
         let mut q: Vec<f64> = (0..model.position_count).map(|_| self.uniform(-2.0, 2.0)).collect();
         for first in model.quaternions() {
@@ -268,7 +268,7 @@ impl Random {
     }
 }
 
-/// Largest difference over the largest entry of both.
+/// Returns the largest difference, divided by the largest entry of both.
 pub fn relative_difference(a: &[f64], b: &[f64]) -> f64 {
     assert_eq!(a.len(), b.len());
     let (mut largest, mut difference) = (f64::MIN_POSITIVE, 0.0_f64);

@@ -1,4 +1,4 @@
-//! A load that goes through the surface of the sea.
+//! A load that passes through the surface of the sea.
 
 use std::f64::consts::PI;
 
@@ -7,7 +7,7 @@ pub const GRAVITY: f64 = 9.80665;
 /// kg/m3.
 pub const DENSITY: f64 = 1025.0;
 
-/// A load that slides along the vertical as it is told, through the sea; the joint's axes are the load's.
+/// A load that slides vertically through the sea with a prescribed motion; the joint's axes are the load's.
 pub fn lowered(joint: &str, sea: &str, submerged: &str, simulation: &str) -> String {
     format!(
         "version: 1

@@ -1,6 +1,6 @@
-//! Random trees of bodies, written down so that a failure shrinks: to fewer bodies, on the first of
-//! them, with fixed joints and nothing held. Every body takes its numbers from a seed of its own, so
-//! that the others keep theirs where one is taken away.
+//! Random trees of bodies, described so that a failing case can shrink: to fewer bodies, all on the first
+//! one, with fixed joints and nothing held. The numbers of a body come from a separate seed, so that they do
+//! not change when another body is removed.
 
 use super::Random;
 use kingpost::dynamics::Loads;
@@ -34,14 +34,14 @@ pub enum Kind {
     Elastic,
     /// So many axes that move independently of one another near q = 0 and far from it.
     Axes(usize),
-    /// On the world, whatever the parent.
+    /// Whether the body is on the world, independent of the parent.
     Floating {
         hold_translation: bool,
         hold_rotation: bool,
     },
 }
 
-/// One body: what it hangs on and how.
+/// A body, with its parent and its joint.
 #[derive(Clone, Debug)]
 pub struct Branch {
     /// Counted modulo the bodies before it; `None` is the world.
@@ -94,10 +94,10 @@ pub fn tree_of(seed: u64) -> Tree {
     trees().new_tree(&mut runner(1, seed)).expect("most trees have a free coordinate").current()
 }
 
-/// Holds a property over so many random trees, the same in every run of the tests.
+/// Checks a property for this number of random trees, which are equal in every run of the tests.
 ///
 /// # Panics
-/// Where it fails, with the smallest tree found for which it does.
+/// If the property fails, with the smallest tree found for which it does.
 #[track_caller]
 pub fn for_all(count: u32, property: impl Fn(&Tree) -> TestCaseResult) {
     if let Err(failure) = smallest_failure(count, property) {
@@ -138,12 +138,12 @@ impl Tree {
         model
     }
 
-    /// Numbers of one sort that are the whole tree's.
+    /// Random numbers of one kind that belong to the whole tree.
     pub fn numbers(&self, sort: u64) -> Random {
         self.0[0].random(sort)
     }
 
-    /// Positions and velocities; held coordinates stand still.
+    /// Returns positions and velocities; held coordinates are at rest.
     pub fn state(&self, model: &Model) -> (Vec<f64>, Vec<f64>) {
         let (mut q, mut v) = (Vec::new(), Vec::new());
         for (body, branch) in self.0.iter().enumerate() {
@@ -183,7 +183,7 @@ fn velocities(model: &Model, body: usize) -> core::ops::Range<usize> {
 }
 
 impl Branch {
-    /// The body's own numbers of one sort.
+    /// Random numbers of one kind that belong to the body.
     pub fn random(&self, sort: u64) -> Random {
         Random::new(self.numbers.wrapping_add(sort))
     }

@@ -1,4 +1,4 @@
-//! Clearances of points and their air gap, against distances by hand.
+//! Clearances of points and their air gap, against hand calculations.
 
 use crate::common;
 
@@ -9,8 +9,8 @@ use kingpost::simulation::Simulation;
 use serde_json::Value;
 use std::collections::HashMap;
 
-/// An arm that turns at 0.3 rad/s about the vertical through the origin, with a hook 5 m out on it and 2 m up, and a cart that
-/// goes along x at 0.5 m/s from x = 8 m, at z = -1 m.
+/// An arm that rotates at 0.3 rad/s about the vertical through the origin, with a hook at 5 m radius and 2 m
+/// height, and a cart that moves along x at 0.5 m/s from x = 8 m, at z = -1 m.
 fn arm_and_cart(sensors: &str) -> String {
     format!(
         "version: 1
@@ -35,7 +35,7 @@ forces:
     )
 }
 
-/// Where the hook is, in a frame on the cart.
+/// Returns the position of the hook in a frame on the cart.
 fn hook_from_cart(time_s: f64) -> [f64; 3] {
     let (sin, cos) = (0.3 * time_s).sin_cos();
     [5.0 * cos - 8.0 - 0.5 * time_s, 5.0 * sin, 3.0]
@@ -45,14 +45,14 @@ fn length(vector: [f64; 3]) -> f64 {
     vector.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
-/// The distance from a box of these half edges, where one of its faces, edges or corners is outside.
+/// Returns the distance from a box with these half edges, for a point outside it.
 fn from_box(point: [f64; 3], half: [f64; 3]) -> f64 {
     length(std::array::from_fn(|k| (point[k].abs() - half[k]).max(0.0)))
 }
 
-/// Prescribed motions at constant rates are exact: what is left is rounding.
+/// Prescribed motions at constant rates are exact: the remaining error is rounding.
 #[test]
-fn two_points_are_as_far_apart_as_their_motions_say() {
+fn the_clearance_of_two_points_is_the_distance_from_their_motions() {
     let text = arm_and_cart(
         "sensors:
   by_name: {clearance: {first: {body: arm, point: hook}, second: {body: cart, point: roof}}}
@@ -73,7 +73,7 @@ fn two_points_are_as_far_apart_as_their_motions_say() {
 }
 
 #[test]
-fn a_point_is_as_far_from_a_solid_as_from_its_nearest_face_edge_or_corner() {
+fn the_clearance_to_a_solid_is_the_distance_to_its_nearest_face_edge_or_corner() {
     let text = arm_and_cart(
         "sensors:
   own: {clearance: {first: {body: arm, point: hook}, second: {body: cart, shape: own}}}
@@ -103,7 +103,7 @@ fn a_point_is_as_far_from_a_solid_as_from_its_nearest_face_edge_or_corner() {
 }
 
 #[test]
-fn a_point_inside_of_a_solid_has_a_negative_clearance() {
+fn a_point_inside_a_solid_has_a_negative_clearance() {
     // Of a box that holds the hook, the nearest face is above it.
     let text = arm_and_cart(
         "sensors:
@@ -114,7 +114,7 @@ fn a_point_inside_of_a_solid_has_a_negative_clearance() {
     assert!((found + 0.5).abs() < 1e-15, "{found}");
 }
 
-/// With a sea, and a clearance of its own beside the air gaps.
+/// A scenario with a sea, and with a clearance in addition to the air gaps.
 fn over_waves(wave: &Wave, rest: &str) -> String {
     let text = arm_and_cart(
         "sensors:
@@ -125,9 +125,10 @@ fn over_waves(wave: &Wave, rest: &str) -> String {
     text.replacen("bodies:", &format!("sea: {{{}}}\nbodies:", wave.sea()), 1) + rest
 }
 
-/// Airy's wave in deep water, eta = a cos(k x - w t + phase); phases of a few turns round by 1e-14 m.
+/// Airy's wave in deep water, eta = a cos(k x - w t + phase); for phases of a few turns the rounding is 1e-14
+/// m.
 #[test]
-fn the_air_gap_is_the_height_over_a_regular_wave_where_the_point_is() {
+fn the_air_gap_is_the_height_over_a_regular_wave_at_the_point() {
     let wave = Wave::new(3.0, 7.0, 0.4);
     let mut run = simulation(&over_waves(&wave, ""));
     for _ in 0..8 {
@@ -160,9 +161,9 @@ fn whole_run(text: &str) -> Simulation {
     run
 }
 
-/// A crest passes the platform at half a period, 3.5 s, where the phase began with a trough.
+/// A crest passes the platform after half a period, 3.5 s, because the phase starts with a trough.
 #[test]
-fn a_limit_on_an_air_gap_is_broken_where_the_crest_passes() {
+fn a_limit_on_an_air_gap_is_exceeded_when_the_crest_passes() {
     let wave = Wave::new(3.0, 7.0, std::f64::consts::PI);
     let limits = "limits:
   dry: {column: platform.air_gap, at_least: 5.4}
@@ -176,9 +177,10 @@ fn a_limit_on_an_air_gap_is_broken_where_the_crest_passes() {
     }
 }
 
-/// The cart comes to the quay at 0.5 m/s: its front is 4 m off where the run begins and 0 m where it ends, 8 s later.
+/// The cart moves to the quay at 0.5 m/s: its front is 4 m away at the start of the run and 0 m at its end, 8
+/// s later.
 #[test]
-fn a_limit_on_a_clearance_says_how_near_it_came_and_when() {
+fn a_limit_on_a_clearance_reports_the_smallest_value_and_its_time() {
     let rest = "sensors:
   fender: {clearance: {first: {body: cart, position_m: [2, 0, 0]}, second: {body: world, position_m: [14, 0, 0], shape: {plane: {normal: [-1, 0, 0]}}}}}
 limits:
@@ -190,7 +192,7 @@ limits:
     assert!(fender.worst.unwrap().abs() < 1e-12 && (fender.worst_time_s.unwrap() - 8.0).abs() < 1e-9, "{fender:?}");
 }
 
-/// Checks that a sensor, which only reads the model, moves nothing: the same bits with it and without.
+/// Checks that a sensor does not change the motion: runs with and without it are bitwise identical.
 #[test]
 fn a_sensor_changes_no_number_of_the_motion() {
     let wave = Wave::new(3.0, 7.0, 0.4);
@@ -205,7 +207,7 @@ fn a_sensor_changes_no_number_of_the_motion() {
 }
 
 #[test]
-fn a_sensor_on_a_body_that_is_off_is_not_there() {
+fn a_sensor_on_a_disabled_body_does_not_exist() {
     let text = arm_and_cart(
         "sensors: {roof: {air_gap: {body: cart, point: roof}}, gap: {clearance: {first: {body: arm, point: hook}, second: {body: cart}}}}\n",
     );
@@ -215,7 +217,7 @@ fn a_sensor_on_a_body_that_is_off_is_not_there() {
 }
 
 #[test]
-fn a_mistake_in_a_sensor_is_told_at_its_place() {
+fn a_mistake_in_a_sensor_is_reported_at_its_place() {
     let good = "sensors:
   gap: {clearance: {first: {body: arm, point: hook}, second: {body: cart, point: roof}}}
   air: {air_gap: {body: arm, point: hook}}
@@ -287,9 +289,10 @@ fn a_mistake_in_a_sensor_is_told_at_its_place() {
     }
 }
 
-/// A body takes the prefix of its part and a point keeps its name; what stands on the world stands on the mounting.
+/// The prefix of the part is added to a body, and a point keeps its name; entries on the world move to the
+/// mounting.
 #[test]
-fn a_sensor_of_a_part_goes_where_the_part_is_mounted() {
+fn a_sensor_of_a_part_moves_to_the_mounting_of_the_part() {
     let part = arm_and_cart("sensors:\n  gap: {clearance: {first: {body: arm, point: hook}, second: {body: world, position_m: [1, 0, 0], shape: {plane: {}}}}}\n")
         .replace("simulation: {step_s: 0.05, duration_s: 8, record_every_s: 0.05}\n", "")
         .replace("forces:\n  gravity: {gravity: {}}\n", "");

@@ -34,16 +34,16 @@ forces:
     )
 }
 
-/// How far the crate is down the slope, m.
+/// Distance of the crate down the slope, m.
 fn down(run: &Simulation) -> f64 {
     let (sin, cos) = 20.0_f64.to_radians().sin_cos();
     let q = &run.state().q;
     q[0] * cos - q[2] * sin
 }
 
-/// x = v t + g (sin - mu cos) t^2 / 2; the bristles take mu N / k, 0.1 mm, of the way before it slides.
+/// x = v t + g (sin - mu cos) t^2 / 2; before it slides, the bristles deflect by mu N / k, 0.1 mm.
 #[test]
-fn a_block_slides_down_a_slope_as_coulomb_says() {
+fn a_block_slides_down_a_slope_by_coulombs_law() {
     let (sin, cos) = 20.0_f64.to_radians().sin_cos();
     let motion = format!(", velocity_m_s: [{}, 0, {}]", cos, -sin);
     let mut sliding = simulation(&slope("integrator: rk4, step_s: 0.001, duration_s: 60", "0.25", &motion));
@@ -56,8 +56,9 @@ fn a_block_slides_down_a_slope_as_coulomb_says() {
     assert!(energy_error(&mut sliding, heat) < 1e-9);
 }
 
-/// mu = 0.4 is more than tan 20 degrees = 0.364. It rests on springs of 4 k, m g cos / 4 k deep, m g sin / 4 k down the slope, and
-/// moves no more, of 0.17 mm, than rounding in an hour.
+/// mu = 0.4 is more than tan 20 degrees = 0.364. The crate rests on springs of 4 k, with a penetration of m g
+/// cos / 4 k and a displacement of m g sin / 4 k, 0.17 mm, down the slope; in an hour it moves only by
+/// rounding.
 #[test]
 fn a_block_below_the_angle_of_friction_holds_for_an_hour() {
     let settings = "integrator: rk4, step_s: 0.01, duration_s: 4000, begin_at_equilibrium: true";
@@ -110,7 +111,7 @@ forces:
 
 /// A pipe stands on its end, and one that leans beyond its rim falls over.
 #[test]
-fn a_pipe_stands_or_falls() {
+fn a_pipe_on_end_stands_or_falls() {
     let stands = |lean_deg: f64| {
         let text = format!(
             "version: 1
@@ -141,8 +142,8 @@ forces:
     assert!((stands(17.0) - 0.4).abs() < 0.1);
 }
 
-/// Rates of place, yaw and their rates of a rigid crate of 2 t on three feet that slide: their loads by statics with friction 0.5 m below the
-/// centre, each mu N against its slip.
+/// Rates of position, yaw and their rates of a rigid crate of 2 t that slides on three feet: the loads by
+/// statics with friction 0.5 m below the centre, on each foot mu N against its slip.
 fn on_three_feet([_, _, yaw, u, v, spin]: [f64; 6]) -> [f64; 6] {
     let (sin, cos) = yaw.sin_cos();
     let feet = [[1.0, 0.75], [1.0, -0.75], [-1.0, 0.0]].map(|[x, y]| [x * cos - y * sin, x * sin + y * cos]);
@@ -159,7 +160,7 @@ fn on_three_feet([_, _, yaw, u, v, spin]: [f64; 6]) -> [f64; 6] {
     [u, v, spin, sum(&|k| ways[k][0]) / 2000.0, sum(&|k| ways[k][1]) / 2000.0, turn / 1041.6666666666667]
 }
 
-/// One step of Kutta's.
+/// One Runge-Kutta step.
 fn step(at: [f64; 6], by_s: f64) -> [f64; 6] {
     let moved = |rate: [f64; 6], by: f64| core::array::from_fn(|i| at[i] + by * rate[i]);
     let first = on_three_feet(at);
@@ -169,8 +170,9 @@ fn step(at: [f64; 6], by_s: f64) -> [f64; 6] {
     core::array::from_fn(|i| at[i] + by_s / 6.0 * (first[i] + 2.0 * (second[i] + third[i]) + fourth[i]))
 }
 
-/// Its path and its turn are those of the rigid crate, but for its springs. MuJoCo has the same within 0.2 % of the way and 1 % of the turn;
-/// sideways, where the crate goes 0.15 m, it is 4 cm off the rigid crate's path.
+/// Path and rotation are those of the rigid crate, except for its springs. MuJoCo agrees within 0.2 % of the
+/// distance and 1 % of the rotation; sideways, where the crate moves 0.15 m, it differs by 4 cm from the
+/// rigid crate's path.
 #[test]
 fn a_crate_on_three_feet_slides_and_spins_to_rest_as_a_rigid_one() {
     let peer: serde_json::Value =
@@ -218,9 +220,10 @@ forces:
     }
 }
 
-/// A deck that becomes slippery during a run lets go of what stood on it: from there x = g (sin - mu cos) t^2 / 2.
+/// A crate starts to slide when the deck becomes slippery during a run: from then on x = g (sin - mu cos) t^2
+/// / 2.
 #[test]
-fn a_block_that_held_slides_when_its_friction_is_made_less_during_a_run() {
+fn a_block_at_rest_slides_when_its_friction_is_reduced_during_a_run() {
     let settings = "integrator: rk4, step_s: 0.001, duration_s: 60";
     let knob =
         "parameters:\n  - {name: mu, live: true, default: 0.4, writes: [forces.deck.contact.friction_coefficient]}\n";

@@ -1,4 +1,4 @@
-//! Mistakes that a person may make with a contact: each has an answer at its place.
+//! Mistakes that a user can make with a contact: each is reported at its place.
 
 use crate::common;
 
@@ -35,7 +35,7 @@ fn refused(from: &str, to: &str) -> String {
 }
 
 #[test]
-fn a_contact_that_cannot_be_is_refused_at_its_place() {
+fn an_invalid_contact_is_refused_at_its_place() {
     let cases = [
         (
             "load: {body: crate",
@@ -88,7 +88,7 @@ fn a_contact_that_cannot_be_is_refused_at_its_place() {
     }
 }
 
-/// 500 kg on four points of 20 kN/m would rest 61 mm deep.
+/// 500 kg on four points of 20 kN/m would rest at a penetration of 61 mm.
 #[test]
 fn a_deck_that_is_too_soft_for_its_load_is_refused() {
     let text = TEXT.replace("stiffness_N_per_m: 1e6\n      fr", "stiffness_N_per_m: 2e4\n      fr");
@@ -98,9 +98,9 @@ fn a_deck_that_is_too_soft_for_its_load_is_refused() {
     assert!(error.contains("at rest: make the contact stiffer"), "{error}");
 }
 
-/// Falling 0.51 m on it, 500 kg go some 10 mm into 4 MN/m: v sqrt(m / 4 k) = 35 mm without its damping.
+/// 500 kg that fall from 0.51 m penetrate 4 MN/m by about 10 mm: v sqrt(m / 4 k) = 35 mm without damping.
 #[test]
-fn a_run_warns_of_a_load_that_is_pressed_in_too_deep() {
+fn a_run_warns_of_a_load_with_excessive_penetration() {
     let text = TEXT.replace("1.01]", "1.52]").replace("duration_s: 60", "duration_s: 2");
     let text = text.replace("coefficient: 0.4\n", "coefficient: 0.4\n      penetration_tolerance_m: 0.004\n");
     let run = simulation(&text).run(|_| true);
@@ -108,9 +108,9 @@ fn a_run_warns_of_a_load_that_is_pressed_in_too_deep() {
     assert!(warning.text.contains("more than its penetration_tolerance_m of 0.004 m"), "{warning:?}");
 }
 
-/// A switch takes the contact away: nothing touches, and the load falls through.
+/// With the contact disabled nothing touches, and the load falls through.
 #[test]
-fn a_contact_that_is_off_is_not_there() {
+fn a_disabled_contact_does_not_exist() {
     let off = TEXT.replace("contact:\n", "contact:\n      enabled: false\n");
     let mut falling = simulation(&off);
     falling.step(500).expect("it falls");

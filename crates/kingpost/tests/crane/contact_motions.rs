@@ -1,4 +1,4 @@
-//! A load lifted off a barge and landed on it, in waves, and what its weight is to the barge.
+//! A load lifted off a barge and landed on it, in waves, and the effect of its weight on the barge.
 
 use crate::common;
 
@@ -12,8 +12,8 @@ const G: f64 = 9.80665;
 /// The crate's mass, kg.
 const MASS: f64 = 20e3;
 
-/// The barge, without its pendulum, in a swell of 1 m and 6 s, and a crate of 20 t over its deck, 5 m above the keel; from above, a
-/// winch on a fixed drum hauls or pays out by `rope_m_s`.
+/// The barge, without its pendulum, in a swell of 1 m and 6 s, and a crate of 20 t above its deck, 5 m above
+/// the keel; above it, a winch on a fixed drum hauls in or pays out at `rope_m_s`.
 fn text(settings: &str, crate_at: [f64; 3], winch: &str) -> String {
     let [x, y, z] = crate_at;
     let (head, _) = TEXT.split_once("  load:\n").expect("the barge's pendulum");
@@ -54,7 +54,7 @@ fn text(settings: &str, crate_at: [f64; 3], winch: &str) -> String {
     )
 }
 
-/// A winch over the crate that hauls in at a speed, or pays out at a negative one, m/s.
+/// A winch above the crate that hauls in at a speed, or pays out at a negative one, m/s.
 fn winch(hauls: f64) -> String {
     format!(
         "  fall:
@@ -82,7 +82,8 @@ fn values(run: &mut Simulation, variable: &str) -> Vec<f64> {
     common::values(run, variable)
 }
 
-/// In half a minute of waves the crate neither slides nor creeps over the deck, and the deck carries its weight and what moves it.
+/// In half a minute of waves the crate neither slides nor creeps on the deck, and the deck carries its weight
+/// and the force of its acceleration.
 #[test]
 fn a_crate_stands_on_a_deck_in_waves_and_does_not_creep() {
     let settings = "integrator: rk4, step_s: 0.01, duration_s: 100, begin_at_equilibrium: true";
@@ -100,7 +101,7 @@ fn a_crate_stands_on_a_deck_in_waves_and_does_not_creep() {
     assert!((normal / (MASS * G) - 1.0).abs() < 0.2, "{normal}");
 }
 
-/// Rotation and place of the floating body whose coordinates begin at an entry of q.
+/// Rotation and position of the floating body whose coordinates start at an entry of q.
 fn frame(run: &Simulation, first: usize) -> (nalgebra::Matrix3<f64>, nalgebra::Vector3<f64>) {
     let q = &run.state().q[first..];
     let turn = nalgebra::Quaternion::new(q[3], q[4], q[5], q[6]);
@@ -108,8 +109,8 @@ fn frame(run: &Simulation, first: usize) -> (nalgebra::Matrix3<f64>, nalgebra::V
     (rotation.into_inner(), nalgebra::Vector3::new(q[0], q[1], q[2]))
 }
 
-/// A winch lifts the crate off the deck in waves: it leaves, touches again or not, and hangs at last. Nothing of the energy is from
-/// nowhere, and the deck's impulse does not depend on the step.
+/// A winch lifts the crate off the deck in waves: it leaves the deck, with or without further contacts, and
+/// finally hangs. Energy balances, and the deck's impulse does not depend on the step.
 #[test]
 fn a_crate_is_lifted_off_a_deck_in_waves() {
     let run = |step_s: f64| {
@@ -154,9 +155,9 @@ fn a_crate_is_landed_on_a_deck_in_waves() {
     assert!((coarse / fine - 1.0).abs() < 0.01, "{coarse} {fine}");
 }
 
-/// KG of barge, mast and a crate on the deck: by their weights and heights; the barge carries all.
+/// KG of barge, mast and a crate on the deck, from their weights and heights; the barge carries all of them.
 #[test]
-fn a_crate_on_the_deck_counts_in_the_centre_of_gravity_where_it_stands() {
+fn a_crate_on_the_deck_counts_in_the_centre_of_gravity_at_its_position() {
     let settings = "integrator: rk4, step_s: 0.01, duration_s: 100, begin_at_equilibrium: true";
     let mast: Vec<(String, Value)> = vec![("bodies.mast.joint.prismatic.position_m".to_owned(), json!([0, 0, 7]))];
     let standing = text(settings, [0.0, 0.0, 4.0], "");

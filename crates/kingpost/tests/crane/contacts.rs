@@ -33,20 +33,20 @@ fn lines(contact: &[&str]) -> String {
     contact.iter().map(|line| format!("      {line}\n")).collect()
 }
 
-/// Times of what happened.
+/// Returns the times of an event.
 pub(super) fn times(run: &Simulation, what: &str) -> Vec<f64> {
     run.events().iter().filter(|event| event.what == what).map(|event| event.time_s).collect()
 }
 
-/// The ledger's error over an energy.
+/// Returns the ratio of the ledger's error to an energy.
 pub(super) fn energy_error(run: &mut Simulation, scale: f64) -> f64 {
     values(run, "energy_error")[0].abs() / scale
 }
 
-/// Without gravity, x (1 + e) = ln((1 + x) / (1 - e x)) with x = a v is exact at every speed, and e at the speed that it is given for
-/// is the one that is given, whatever mass and stiffness.
+/// Without gravity, x (1 + e) = ln((1 + x) / (1 - e x)) with x = a v is exact at every speed; at the
+/// reference speed e is the given restitution, for any mass and stiffness.
 #[test]
-fn a_ball_comes_back_by_its_restitution_at_every_speed() {
+fn a_ball_rebounds_by_its_restitution_at_every_speed() {
     for (restitution, speed) in [(0.6, 3.0), (0.6, 1.0), (0.6, 0.1), (0.15, 3.0), (0.9, 3.0), (1.0, 1.0)] {
         let contact = lines(&[
             "stiffness_N_per_m: 1e8",
@@ -114,9 +114,10 @@ forces:
     )
 }
 
-/// The ledger closes by the scheme's order, four: half the step leaves a sixteenth, down to rounding.
+/// The ledger closes to the scheme's order, four: with half the step a sixteenth of the error remains, down
+/// to rounding.
 #[test]
-fn the_ledger_of_an_impact_closes_by_the_order_of_the_scheme() {
+fn the_ledger_of_an_impact_closes_to_the_order_of_the_scheme() {
     let error = |step_s: f64| {
         let settings = format!("integrator: rk4, step_s: {step_s}, duration_s: 60");
         let mut falling = simulation(&dropped(&settings, "position_m: [0, 0, 1]", ""));
@@ -169,7 +170,7 @@ fn half_the_step_changes_the_impulse_by_less_than_one_percent() {
 
 /// m g / 4 k on four corners, on a deck with edges and beside another crate.
 #[test]
-fn a_load_rests_as_deep_as_its_weight_over_the_stiffness() {
+fn a_load_at_rest_penetrates_by_its_weight_over_the_stiffness() {
     let settings = "integrator: rk4, step_s: 0.001, duration_s: 60, begin_at_equilibrium: true";
     let mut resting = simulation(&dropped(settings, "position_m: [0, 0, 0.501]", ""));
     let depth = 2000.0 * G / 2e7;

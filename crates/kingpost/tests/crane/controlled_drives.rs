@@ -30,7 +30,7 @@ drives:
 
 const STRONG: &str = "force_limit_kN: 50";
 
-/// Where it is and how fast it goes: m, m/s.
+/// Returns position and velocity: m, m/s.
 fn state(text: &str, time_s: f64) -> [f64; 2] {
     let mut moving = simulation(text);
     moving.step((time_s / 0.01).round() as usize).expect("it moves");
@@ -38,7 +38,7 @@ fn state(text: &str, time_s: f64) -> [f64; 2] {
 }
 
 #[test]
-fn a_speed_is_reached_by_the_limit_of_acceleration_and_kept() {
+fn a_speed_is_reached_at_the_limit_of_acceleration_and_held() {
     let text = lift("speed: {speed_m_s: 1.5}", STRONG);
     // Until the way to the speed wanted takes less than the response time of 0.1 s the speed is a t; the rest is an exponential.
     assert!((state(&text, 2.0)[1] - 1.0).abs() < 1e-3);
@@ -52,7 +52,7 @@ fn a_speed_is_reached_by_the_limit_of_acceleration_and_kept() {
 }
 
 #[test]
-fn a_position_is_reached_without_going_beyond_it_or_beyond_the_limits() {
+fn a_position_is_reached_without_overshoot_and_within_the_limits() {
     for (limits, jerk) in [(STRONG.to_owned(), None), (format!("{STRONG}, jerk_limit_m_s3: 0.8"), Some(0.8))] {
         for way in [8.0, 0.05, -3.0_f64] {
             let mut moving = simulation(&lift(&format!("position: {{extension_m: {way}}}"), &limits));
@@ -75,7 +75,7 @@ fn a_position_is_reached_without_going_beyond_it_or_beyond_the_limits() {
 }
 
 #[test]
-fn a_drive_that_is_too_weak_is_dragged_and_says_so() {
+fn a_drive_that_is_too_weak_is_overhauled_at_full_utilisation() {
     let mut weak = simulation(&lift("speed: {speed_m_s: 1}", "force_limit_kN: 8"));
     weak.step(100).expect("it falls");
     let before = weak.state().v[0];
@@ -104,7 +104,7 @@ fn power_bounds_the_speed_of_a_hoist_and_not_its_braking() {
 
 /// `F = 2 (W + m a)` for a winch that hoists its load on two falls: the drum turns 2 v / r.
 #[test]
-fn a_winch_hoists_a_load_on_two_falls_at_the_speed_that_it_is_told() {
+fn a_winch_hoists_a_load_on_two_falls_at_the_commanded_speed() {
     let text = format!(
         "version: 1
 title: A winch
@@ -147,9 +147,10 @@ drives:
     assert!(values(&mut hoisting, "energy_error")[0].abs() < 1e-9 * scale);
 }
 
-/// `T + T^2 / (2 EA) = tau / R`, however fast the rope is pulled out or comes back: a winch of constant tension.
+/// `T + T^2 / (2 EA) = tau / R`, for any speed at which the rope is pulled out or returns: a winch of
+/// constant tension.
 #[test]
-fn a_winch_that_keeps_a_torque_keeps_the_tension_of_its_rope_while_the_other_end_moves() {
+fn a_winch_with_constant_torque_holds_the_tension_of_its_rope_while_the_other_end_moves() {
     for speed in [0.5, -0.5] {
         let text = format!(
             "version: 1
@@ -192,9 +193,10 @@ drives:
     }
 }
 
-/// At rest a drive holds its joint where the scenario puts it, and a run begins with what that takes.
+/// At rest a drive holds its joint at the position in the scenario, and a run starts with the force that this
+/// needs.
 #[test]
-fn a_run_from_equilibrium_begins_with_the_effort_that_holds_the_load() {
+fn a_run_from_equilibrium_starts_with_the_drive_force_that_holds_the_load() {
     let begins = |set_point: &str| {
         let text = lift(set_point, STRONG);
         text.replace("duration_s: 60", "duration_s: 60, begin_at_equilibrium: true")

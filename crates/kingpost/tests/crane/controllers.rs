@@ -1,4 +1,5 @@
-//! Controllers: input shapers against the closed form of a linear oscillator, state feedback against its own law.
+//! Controllers: input shapers against the closed form of a linear oscillator, state feedback against its
+//! control law.
 
 use crate::common;
 
@@ -14,7 +15,7 @@ pub const STIFFNESS: f64 = 20.0;
 /// Mass of the cage, kg.
 pub const MASS: f64 = 2.0;
 
-/// A cage on a spring that a force of up to 10 N pushes by a lever: the linear pendulum. Damping ratio `zeta`.
+/// A cage on a spring, pushed by a lever with up to 10 N: the linear pendulum. Damping ratio `zeta`.
 pub fn oscillator(zeta: f64, step_s: f64, duration_s: f64, rest: &str) -> String {
     let damping = 2.0 * zeta * libm::sqrt(STIFFNESS * MASS);
     format!(
@@ -85,7 +86,8 @@ fn swing(simulation: &mut Simulation, zeta: f64) -> f64 {
     libm::hypot(x, (v + zeta * w * x) / (w * libm::sqrt(1.0 - zeta * zeta)))
 }
 
-/// The swing that is left by a shaper that is made for `made_for` times the true period, over that without one.
+/// Returns the ratio of the swing with a shaper to that without one; the shaper is made for `made_for` times
+/// the true period.
 fn left(kind: &str, zeta: f64, made_for: f64) -> f64 {
     let [shaped, free] = [kind, "none"].map(|kind| {
         let text = oscillator(zeta, 0.002, 4.5, &(shaper(kind, made_for * period_s(zeta), zeta) + MOVES));
@@ -96,7 +98,8 @@ fn left(kind: &str, zeta: f64, made_for: f64) -> f64 {
     shaped / free
 }
 
-/// Singer & Seering (1990): no swing is left. Runge-Kutta errs by (w h)^5 / 120 in a step, 4e-11 in a period of 1000 steps.
+/// Singer & Seering (1990): the residual swing is zero. The error of Runge-Kutta is (w h)^5 / 120 in a step,
+/// 4e-11 in a period of 1000 steps.
 #[test]
 fn a_shaped_command_leaves_no_swing_on_the_linear_pendulum() {
     for zeta in [0.0, 0.07] {
@@ -107,11 +110,11 @@ fn a_shaped_command_leaves_no_swing_on_the_linear_pendulum() {
     }
 }
 
-/// A shaper that is made for 1 + e times the period leaves |cos(pi (1 + e) / 2)| of the swing, if it is ZV, or the square of
-/// that, if it is ZVD, whatever the command. Impulses are split for the period of the shaper: beside it they err by up to
-/// (w h)^2 |1 - 1 / (1 + e)^2| / 8, 1e-6, which is 4e-5 of the square.
+/// A shaper made for 1 + e times the period leaves |cos(pi (1 + e) / 2)| of the swing if it is ZV, or the
+/// square of this if it is ZVD, for any command. Impulses are split for the period of the shaper: at another
+/// period their error is up to (w h)^2 |1 - 1 / (1 + e)^2| / 8, 1e-6, which is 4e-5 of the square.
 #[test]
-fn what_is_left_beside_the_period_is_the_closed_form() {
+fn the_residual_of_a_shaper_off_its_period_is_the_closed_form() {
     for off in [-0.1, 0.1] {
         let exact = libm::cos(0.5 * core::f64::consts::PI * (1.0 + off)).abs();
         for (kind, exact) in [("zv", exact), ("zvd", exact * exact)] {
@@ -121,9 +124,10 @@ fn what_is_left_beside_the_period_is_the_closed_form() {
     }
 }
 
-/// Singhose et al. (1994): an EI shaper leaves its tolerance at its period, and nothing at two periods beside it.
+/// Singhose et al. (1994): the residual of an EI shaper is its tolerance at its period, and zero at two
+/// periods on both sides.
 #[test]
-fn an_ei_shaper_leaves_its_tolerance_at_its_period_and_nothing_where_its_band_has_zeros() {
+fn the_residual_of_an_ei_shaper_is_its_tolerance_at_its_period_and_zero_at_the_zeros_of_its_band() {
     // Its weights are divided by their sum, which the split of impulses changes by up to (w h)^2 / 8, 5e-6.
     let found = left("ei", 0.0, 1.0);
     assert!((found / 0.05 - 1.0).abs() < 5e-6, "{found}");
@@ -136,7 +140,7 @@ fn an_ei_shaper_leaves_its_tolerance_at_its_period_and_nothing_where_its_band_ha
 }
 
 #[test]
-fn a_shaper_that_is_off_passes_its_command_bit_by_bit() {
+fn a_disabled_shaper_passes_its_command_unchanged() {
     let rows = |rest: &str| {
         let mut simulation = simulation(&oscillator(0.0, 0.01, 3.0, rest));
         let run = simulation.run(|_| true);
@@ -189,7 +193,7 @@ const PID: &str = "controllers:
 ";
 
 #[test]
-fn an_integral_is_the_sum_of_samples_and_stays_while_the_input_is_at_a_limit() {
+fn an_integral_is_the_sum_of_samples_and_is_held_while_the_input_is_at_a_limit() {
     let mut found = simulation(&oscillator(0.05, 0.01, 20.0, PID));
     let (mut integral, mut action, mut waited) = (0.0, 0.0, 0);
     for step in 0..2000 {
@@ -248,7 +252,7 @@ fn a_drive_function_adds_its_curve_to_its_command_within_limits() {
 /// The force that moves the cage on `x = a s(t) sin(w t)` is `m x'' + c x' + k x`: a drive function through its values at 40 times
 /// errs by 5/384 h^4 f'''' (Hall & Meyer), 1e-4 of the force, and so does the motion.
 #[test]
-fn the_function_of_inverse_dynamics_moves_the_cage_on_its_way() {
+fn the_function_of_inverse_dynamics_moves_the_cage_along_its_path() {
     let (zeta, w, amplitude) = (0.2, 2.0, 0.1);
     let damping = 2.0 * zeta * libm::sqrt(STIFFNESS * MASS);
     let way = |t: f64| {
@@ -303,7 +307,7 @@ fn a_command_passes_all_controllers_in_the_step_in_which_it_is_set() {
 }
 
 #[test]
-fn a_user_moves_the_first_command_and_nothing_behind_it() {
+fn a_user_sets_the_first_command_and_no_input_after_it() {
     let mut found = simulation(&oscillator(0.0, 0.01, 1.0, FEEDBACK));
     found.set_input("command", 0.1).expect("the first command");
     for (input, sets) in [("push", "hold"), ("hold", "command")] {
@@ -313,7 +317,7 @@ fn a_user_moves_the_first_command_and_nothing_behind_it() {
 }
 
 #[test]
-fn mistakes_are_reported_with_their_place_and_what_exists() {
+fn mistakes_are_reported_with_their_place_and_the_existing_names() {
     let text = oscillator(0.0, 0.01, 1.0, FEEDBACK);
     let hold = "controllers.hold.state_feedback";
     for (set, expected) in [
@@ -389,7 +393,7 @@ fn mistakes_are_reported_with_their_place_and_what_exists() {
 }
 
 #[test]
-fn a_gain_that_is_not_a_number_is_refused() {
+fn a_gain_that_is_nan_is_refused() {
     let found = error_of(&oscillator(0.0, 0.01, 1.0, &FEEDBACK.replace("gains: [2, 0.5]", "gains: [.nan, 0.5]")), &[]);
     assert!(found.contains("controllers.hold.state_feedback.steers.0.gains.0"), "{found}");
 }

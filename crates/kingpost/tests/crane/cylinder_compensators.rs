@@ -118,7 +118,7 @@ fn gas_stiffness() -> f64 {
 /// the load's height is z_l = z + 2 x - s, where m z_l'' = k_r (s + t s') and m_c x'' + c x' + k x = -2 m z_l''. So the load
 /// keeps of the deck's motion D / (D (1 - m w^2 / (k_r (1 + i w t))) - 4 m w^2) with D = k + i w c - m_c w^2.
 #[test]
-fn passive_compensation_by_gas_leaves_what_its_transfer_function_says() {
+fn the_residual_of_passive_compensation_by_gas_is_that_of_its_transfer_function() {
     let (damping, stiffness, of_rope) = (200.0, gas_stiffness(), 1e6 / 30.912163);
     for period_s in [5.0, DECK_S, 12.0] {
         let mut simulation = opened(DECK, &of_period(period_s)).unwrap();
@@ -137,7 +137,7 @@ fn passive_compensation_by_gas_leaves_what_its_transfer_function_says() {
 }
 
 #[test]
-fn a_cylinder_leaves_of_the_heave_what_a_winch_would_and_its_gas_takes_the_weight_off_the_drive() {
+fn a_cylinder_compensator_has_the_residual_of_a_winch_and_its_gas_carries_the_weight() {
     let without_gas = [("bodies.carriage.joint.prismatic.gas_spring", Value::Null)];
     for period_s in [5.0, DECK_S] {
         let w = TAU / period_s;
@@ -173,7 +173,7 @@ fn a_cylinder_leaves_of_the_heave_what_a_winch_would_and_its_gas_takes_the_weigh
 
 /// Checks that the rope let out is the change of the path, also where the parts are not parallel to the carriage's way.
 #[test]
-fn parts_of_rope_that_run_at_an_angle_are_let_out_by_their_length() {
+fn inclined_parts_of_a_rope_are_compensated_by_their_length() {
     let slanted = [
         ("forces.hoist.rope.path.2.point.position_m", json!([2, 0, 3.0])),
         ("forces.hoist.rope.path.0.point.position_m", json!([-1, 0, 2.6])),
@@ -192,7 +192,7 @@ fn parts_of_rope_that_run_at_an_angle_are_let_out_by_their_length() {
 }
 
 #[test]
-fn a_drive_that_moves_no_sheave_between_drum_and_tip_is_refused_with_its_joint() {
+fn a_drive_without_a_sheave_between_drum_and_tip_is_refused_with_its_joint() {
     let allowed = "allowed: the drive of the drum of hoist, or of a joint between drum and tip that moves its sheaves";
     let joint = |name: &str| [("drives.cylinder.linear_controlled_drive.joint", json!(name))];
     let error = opened(&active(), &joint("load")).expect_err("the load's joint");

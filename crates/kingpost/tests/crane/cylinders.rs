@@ -39,7 +39,7 @@ fn reading(simulation: &mut kingpost::Simulation) -> [f64; 3] {
     ["cylinder_length", "cylinder_rate", "cylinder_force"].map(|variable| values(simulation, variable)[0])
 }
 
-/// Energy and both momenta, beside what the weight does in a second.
+/// Returns energy and both momenta, relative to the work and impulse of the weight in a second.
 fn assert_ledger_closes(simulation: &mut kingpost::Simulation) {
     for error in ["energy_error", "momentum_error", "linear_momentum_error"] {
         let value = values(simulation, error)[0];
@@ -48,7 +48,7 @@ fn assert_ledger_closes(simulation: &mut kingpost::Simulation) {
 }
 
 #[test]
-fn a_cylinder_that_holds_a_boom_carries_what_statics_says() {
+fn a_cylinder_that_holds_a_boom_carries_the_static_force() {
     // Moments about the hinge: F times its lever is the weight times 2 m cos(angle); at rest the
     // spring has given way by F / k.
     for form in ["recursive", "moving_frame"] {
@@ -63,7 +63,7 @@ fn a_cylinder_that_holds_a_boom_carries_what_statics_says() {
 }
 
 #[test]
-fn a_cylinder_goes_to_its_length_at_its_speed_limit_and_no_faster() {
+fn a_cylinder_reaches_its_length_at_its_speed_limit() {
     let mut simulation = simulation(&boom("target: {length: {length_m: 5.2}}"));
     let mut fastest = 0.0_f64;
     for _ in 0..40 {
@@ -82,7 +82,7 @@ fn a_cylinder_goes_to_its_length_at_its_speed_limit_and_no_faster() {
 }
 
 #[test]
-fn a_cylinder_too_weak_for_its_load_gives_way_to_its_stop() {
+fn a_cylinder_too_weak_for_its_load_yields_to_its_stop() {
     // 817 N would hold the boom; 500 N do not. The stop carries the rest; friction in the hinge
     // brings the boom to rest on it.
     let weak = boom("target: hold\n      stop_stiffness_N_per_m: 1000000")
@@ -103,7 +103,7 @@ fn a_cylinder_too_weak_for_its_load_gives_way_to_its_stop() {
 }
 
 #[test]
-fn a_lever_moves_the_length_wanted_within_the_stroke() {
+fn a_lever_changes_the_target_length_within_the_stroke() {
     let mut simulation = simulation(&boom("target: lever"));
     simulation.step(500).unwrap();
     let [rest, ..] = reading(&mut simulation);
@@ -154,7 +154,7 @@ drives:
 }
 
 #[test]
-fn a_cylinder_that_cannot_be_is_refused() {
+fn an_invalid_cylinder_is_refused() {
     let error = |text: &str| read(text, "test.yaml", &[]).map(drop).expect_err("refused").to_string();
     let text = boom("target: hold");
     let outside = error(&text.replace("longest_m: 5.6", "longest_m: 4.8"));

@@ -1,4 +1,4 @@
-//! Water inside of lifted objects, against Torricelli's times and weights by hand.
+//! Water inside lifted objects, against Torricelli's times and hand calculations of weights.
 
 use crate::common;
 
@@ -65,7 +65,7 @@ fn an_empty_load_in_the_water_fills_to_the_level_of_the_sea() {
 }
 
 #[test]
-fn what_the_hook_carries_is_the_weight_less_what_archimedes_says_and_the_water_inside() {
+fn the_hook_load_is_the_weight_less_buoyancy_with_the_water_inside() {
     // Of a share of the box that is under water; water inside, m3, beyond what the sea outside would fill.
     for (height, filling, under, beyond) in [
         (5.0, 1.0, 0.0, 12.0),   // lifted out full
@@ -89,7 +89,8 @@ fn what_the_hook_carries_is_the_weight_less_what_archimedes_says_and_the_water_i
     }
 }
 
-/// Water inside weighs and is inert alike: what falls with it falls freely. A box of no drag in the air: rounding.
+/// Water inside has weight and inertia, so it falls freely with the box. A box without drag in the air:
+/// rounding.
 #[test]
 fn a_full_load_in_the_air_falls_freely() {
     let text =
@@ -103,7 +104,7 @@ fn a_full_load_in_the_air_falls_freely() {
 /// A load on a spring goes through the surface and fills and drains; what the water does is booked. The law has a kink where the
 /// sea passes the floor or the top of the space inside: the error is of second order in the step there, of fourth elsewhere.
 #[test]
-fn energy_and_momentum_are_kept_while_it_fills_and_drains() {
+fn energy_and_momentum_are_conserved_while_a_load_fills_and_drains() {
     let errors = |step: f64| {
         let text = perforated(
             "axis: [0, 0, 1], initial_speed_m_s: 6, spring: {stiffness_N_per_m: 1e5, rest_m: 0.5}",
@@ -148,7 +149,7 @@ fn a_load_that_drains_has_exact_derivatives() {
 }
 
 #[test]
-fn a_mistake_in_the_water_inside_is_told_at_its_place() {
+fn a_mistake_in_entrained_water_is_reported_at_its_place() {
     let good = perforated("axis: [0, 0, 1]", ", initial_filling: 1", "step_s: 0.05, duration_s: 1");
     for (from, to, expected) in [
         (

@@ -1,4 +1,5 @@
-//! Active heave compensation: closed forms of what is left of a sinusoidal motion, with and without prediction, and limits.
+//! Active heave compensation: closed forms of the residual of a sinusoidal motion, with and without
+//! prediction, and limits.
 
 use crate::common;
 
@@ -66,7 +67,8 @@ fn error(changes: &[(&str, Value)]) -> String {
     }
 }
 
-/// The spring of the deck for a period, and the rest of it that its weight leaves at 0.
+/// Stiffness of the deck's spring for a period, and its rest position, at which the weight leaves the deck at
+/// 0.
 fn of_period(period_s: f64) -> [(&'static str, Value); 2] {
     let square = TAU * TAU / (period_s * period_s);
     [
@@ -75,8 +77,9 @@ fn of_period(period_s: f64) -> [(&'static str, Value); 2] {
     ]
 }
 
-/// Amplitude of the residual at the period, by sums over two periods after the first 120 s; the drift from one period to the next,
-/// which is left of the start in the slow states of the prediction, is taken off.
+/// Returns the amplitude of the residual at the period, by sums over two periods after the first 120 s; the
+/// drift between the periods, which remains from the start in the slow states of the prediction, is
+/// subtracted.
 fn left(simulation: &mut Simulation, period_s: f64) -> f64 {
     simulation.step(12_000).unwrap();
     let steps = (100.0 * period_s) as usize;
@@ -98,7 +101,8 @@ fn left(simulation: &mut Simulation, period_s: f64) -> f64 {
     cosine.hypot(sine)
 }
 
-/// e^(-i w (tau + T_s/2)) sin(w T_s/2) / (w T_s/2) / (1 + i w T): what becomes of a velocity until the drum turns.
+/// e^(-i w (tau + T_s/2)) sin(w T_s/2) / (w T_s/2) / (1 + i w T): the transfer function from a velocity to
+/// the drum.
 pub fn carried(frequency: f64, delay_s: f64) -> [f64; 2] {
     let (half, lag) = (frequency * 0.025, frequency * 0.1);
     let size = half.sin() / half / (1.0 + lag * lag).sqrt();
@@ -116,7 +120,7 @@ pub fn rest([real, imaginary]: [f64; 2]) -> f64 {
 const OF_THE_DRIVE: f64 = 5e-4;
 
 #[test]
-fn what_is_left_of_a_sinusoid_without_prediction_is_as_the_formula_says() {
+fn the_residual_of_a_sinusoid_without_prediction_agrees_with_the_formula() {
     for period_s in [5.0, DECK_S, 12.0] {
         for delay_s in [0.0, 0.1] {
             let mut changes = of_period(period_s).to_vec();
@@ -134,7 +138,7 @@ fn band() -> PeriodBand {
     PeriodBand { shortest_period_s: 4.0, longest_period_s: 16.0, noise_share: 0.03, sampling_period_s: 0.05 }
 }
 
-/// The response of a filter at a frequency.
+/// Returns the frequency response of a filter.
 fn response(bank: &FilterBank, weights: &[f64], frequency: f64) -> [f64; 2] {
     let states = bank.response(frequency);
     weights.iter().zip(states).fold([0.0; 2], |[a, b], (weight, [c, d])| [a + weight * c, b + weight * d])
@@ -145,7 +149,7 @@ fn product([a, b]: [f64; 2], [c, d]: [f64; 2]) -> [f64; 2] {
 }
 
 #[test]
-fn what_is_left_with_prediction_is_as_the_response_of_its_filter_says() {
+fn the_residual_with_prediction_agrees_with_the_response_of_its_filter() {
     let bank = FilterBank::new(band());
     let weights =
         bank.velocity_weights(|frequency| Dynamics { high_pass: None, delay: 0.125, lag: 0.1 }.velocity(frequency));
@@ -161,10 +165,10 @@ fn what_is_left_with_prediction_is_as_the_response_of_its_filter_says() {
     }
 }
 
-/// The filter of heave leads by atan2(2 zeta w omega, omega^2 - w^2) = 28.6 degrees at 8 s and a cut-off of 20 s: as a
-/// residual 2 sin(14.3 deg) and more. The prediction undoes it.
+/// The heave filter leads by atan2(2 zeta w omega, omega^2 - w^2) = 28.6 degrees at 8 s and a cut-off of 20
+/// s: as a residual at least 2 sin(14.3 deg). The prediction cancels this lead.
 #[test]
-fn the_phase_of_the_sensors_filter_is_undone_by_the_prediction() {
+fn the_prediction_cancels_the_phase_of_the_sensors_filter() {
     let filter = ("sensors.mru.motion_reference_unit.heave_filter", json!({"cutoff_period_s": 20}));
     let raw = left(&mut changed(&[("KEEP.sensor", json!("mru")), filter.clone()]), DECK_S);
     let predicted =
@@ -173,9 +177,10 @@ fn the_phase_of_the_sensors_filter_is_undone_by_the_prediction() {
     assert!(predicted < 0.025, "{predicted}");
 }
 
-/// With a receiver the filter removes nothing, so nothing has to be undone: what is left is as without the filter.
+/// With a receiver the filter removes nothing, so no correction is needed: the residual equals that without
+/// the filter.
 #[test]
-fn with_a_receiver_the_filter_of_heave_leaves_nothing_to_undo() {
+fn with_a_receiver_the_heave_filter_has_no_phase_to_cancel() {
     let receiver = json!({"satellite_receiver": {"body": "deck", "position_m": [1, 0, 9], "period_s": 0.1}});
     let changes = [
         ("sensors.gnss", receiver),
@@ -190,7 +195,7 @@ fn with_a_receiver_the_filter_of_heave_leaves_nothing_to_undo() {
 }
 
 #[test]
-fn a_receiver_that_cannot_help_is_refused() {
+fn a_receiver_without_effect_is_refused() {
     let receiver = |body: &str| json!({"satellite_receiver": {"body": body, "period_s": 0.1}});
     let filter = ("sensors.mru.motion_reference_unit.heave_filter", json!({"cutoff_period_s": 20, "receiver": "gnss"}));
     let field = "sensors.mru.motion_reference_unit.heave_filter.receiver";
@@ -207,7 +212,7 @@ fn a_receiver_that_cannot_help_is_refused() {
 /// The weights are those of least squares: in the band of 4 to 16 s the error of the filter stays below 1.5 %, and below 3.5 %
 /// where it undoes a high-pass filter of 20 s. A constant gives nothing.
 #[test]
-fn a_filter_is_near_the_wanted_response_in_its_band_with_and_without_a_high_pass() {
+fn a_filter_is_near_the_target_response_in_its_band_with_and_without_a_high_pass() {
     let bank = FilterBank::new(band());
     for (high_pass, allowed) in [(None, 0.015), (Some([TAU / 20.0, 0.7]), 0.035)] {
         let wanted = Dynamics { high_pass, delay: 0.125, lag: 0.1 };
@@ -252,7 +257,7 @@ fn white_noise_through_the_filter_has_the_variance_of_its_impulse_response() {
 }
 
 #[test]
-fn the_position_gain_brings_the_load_to_its_height_and_switching_off_lets_it_heave() {
+fn the_position_gain_returns_the_load_to_its_height_and_without_compensation_it_heaves() {
     let mut on = changed(&[("KEEP.position_gain_per_s", json!(0.5))]);
     let mut off = changed(&[("KEEP.begins_on", json!(false))]);
     on.step(1000).unwrap();
@@ -270,7 +275,7 @@ fn the_position_gain_brings_the_load_to_its_height_and_switching_off_lets_it_hea
 }
 
 #[test]
-fn an_operator_lowers_with_compensation_on_and_the_speeds_add() {
+fn the_speeds_of_an_operator_and_of_compensation_add_up() {
     let mut keeps = changed(&[("KEEP.position_gain_per_s", json!(0.5)), ("KEEP.prediction", json!({}))]);
     let mut lowers = changed(&[("KEEP.position_gain_per_s", json!(0.5)), ("KEEP.prediction", json!({}))]);
     lowers.set_input("keep.lowering_speed", 0.2).unwrap();
@@ -285,9 +290,10 @@ fn an_operator_lowers_with_compensation_on_and_the_speeds_add() {
     assert!(residual.abs() < 0.04, "{residual} m");
 }
 
-/// A winch that is too slow: what it lacks is not caught up after the operator has stopped, and it comes back to the height.
+/// A winch that is too slow: the shortfall is not made up after the operator has stopped, and the load
+/// returns to its height.
 #[test]
-fn at_the_limit_of_the_drive_nothing_winds_up() {
+fn the_integral_does_not_wind_up_at_the_limit_of_the_drive() {
     let slow = ("drives.drive.controlled_drive.speed_limit_rad_s", json!(1.2));
     let mut simulation = changed(&[slow, ("KEEP.position_gain_per_s", json!(0.5))]);
     simulation.set_input("keep.lowering_speed", 0.3).unwrap();
@@ -313,7 +319,7 @@ fn at_the_limit_of_the_drive_nothing_winds_up() {
 }
 
 #[test]
-fn a_sensor_that_drops_out_is_survived_and_reported() {
+fn compensation_continues_after_a_sensor_drops_out_and_reports_it() {
     let out = ("sensors.mru.motion_reference_unit.drop_outs", json!({"mean_interval_s": 5, "mean_duration_s": 0.5}));
     for prediction in [json!(null), json!({})] {
         let mut simulation = changed(&[

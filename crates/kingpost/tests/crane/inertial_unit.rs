@@ -1,4 +1,4 @@
-//! An inertial unit: what its filter finds of a motion, and what it does with the errors of its instruments.
+//! Inertial unit: the motion that its filter estimates, and the effect of errors of its instruments.
 
 use crate::common;
 
@@ -7,7 +7,7 @@ use kingpost::simulation::Simulation;
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 
-/// A raft that heaves and rolls about an axis 5 m below its unit, as it is told to.
+/// A raft with prescribed heave, and roll about an axis 5 m below its unit.
 const TEXT: &str = "
 version: 1
 title: An inertial unit
@@ -35,7 +35,8 @@ fn changed(changes: &[(&str, Value)]) -> Simulation {
 
 const UNIT: &str = "sensors.inertial.inertial_unit";
 
-/// Returns the unit's findings over 40 s after 400 s: roll (rad), heave (m), heave rate (m/s), with their true values.
+/// Returns the unit's estimates over 40 s after 400 s: roll (rad), heave (m), heave rate (m/s), with their
+/// true values.
 fn settled(changes: &[(&str, Value)]) -> Vec<[[f64; 2]; 3]> {
     let mut simulation = changed(changes);
     simulation.step(20_000).unwrap();
@@ -53,18 +54,18 @@ fn settled(changes: &[(&str, Value)]) -> Vec<[[f64; 2]; 3]> {
     rows
 }
 
-/// Largest distance of what is found from the truth, without its mean.
+/// Returns the largest deviation of the estimate from the true value, without its mean.
 fn largest(rows: &[[[f64; 2]; 3]], quantity: usize) -> f64 {
     let off: Vec<f64> = rows.iter().map(|row| row[quantity][0] - row[quantity][1]).collect();
     let mean = off.iter().sum::<f64>() / off.len() as f64;
     off.iter().fold(0.0, |largest, x| largest.max((x - mean).abs()))
 }
 
-/// The unit is accelerated sideways by 5 m of lever times 10 degrees at 10 s, 0.34 m/s^2: an inclinometer there is off by 2 degrees.
-/// What passes of waves through the stationary gains is a few per cent of the displacement at most, and less of the velocity
-/// and of the tilt.
+/// The unit is accelerated sideways by a lever arm of 5 m times 10 degrees at 10 s, 0.34 m/s^2: an
+/// inclinometer would have an error of 2 degrees. Waves pass the stationary gains by a few per cent of the
+/// displacement at most, and by less of the velocity and of the tilt.
 #[test]
-fn it_finds_roll_heave_and_heave_rate_in_waves() {
+fn an_inertial_unit_estimates_roll_heave_and_heave_rate_in_waves() {
     let rows = settled(&[]);
     let [roll, heave, rate] = [0, 1, 2].map(|quantity| largest(&rows, quantity));
     assert!(roll.to_degrees() < 0.05, "roll is off by {} deg", roll.to_degrees());
@@ -72,9 +73,9 @@ fn it_finds_roll_heave_and_heave_rate_in_waves() {
     assert!(rate < 0.01 * TAU / 8.0, "the heave rate is off by {rate} m/s");
 }
 
-/// The filter of a motion reference unit with a cut-off of 20 s leads by 34 degrees there.
+/// At this period, the filter of a motion reference unit with a cut-off of 20 s leads by 34 degrees.
 #[test]
-fn a_wave_of_half_or_twice_the_assumed_period_keeps_its_phase() {
+fn the_phase_is_correct_for_waves_of_half_or_twice_the_assumed_period() {
     for period_s in [4.5, 18.0] {
         let rows = settled(&[("sensors.inertial.inertial_unit.filter.wave_period_s", json!(period_s))]);
         let rate = largest(&rows, 2);
@@ -85,7 +86,7 @@ fn a_wave_of_half_or_twice_the_assumed_period_keeps_its_phase() {
 /// A unit that was at rest before knows the errors along its vertical and of its rates; what its accelerometers err by
 /// across it tilts its horizon by bias over g.
 #[test]
-fn constant_errors_tilt_its_horizon_and_do_no_more() {
+fn constant_errors_of_an_inertial_unit_only_tilt_its_horizon() {
     let upright = [("bodies.raft.joint.revolute.mode", json!("held"))];
     let biased = [
         upright[0].clone(),
@@ -101,7 +102,7 @@ fn constant_errors_tilt_its_horizon_and_do_no_more() {
 }
 
 #[test]
-fn at_rest_it_measures_the_reaction_to_its_weight() {
+fn an_inertial_unit_at_rest_measures_the_reaction_to_its_weight() {
     let mut simulation = changed(&[
         ("bodies.stem.joint.prismatic.mode", json!("held")),
         ("bodies.raft.joint.revolute.mode", json!("held")),
@@ -115,7 +116,8 @@ fn at_rest_it_measures_the_reaction_to_its_weight() {
     assert!(values(&mut simulation, "measured_heave")[0].abs() < 1e-12);
 }
 
-/// A ship that draws 2 m more over two minutes: without a receiver this counts as no motion; with one it is found.
+/// A ship whose draught increases by 2 m over two minutes: without a receiver this does not count as motion;
+/// with a receiver it is estimated.
 fn sinking(with: &[(&str, Value)]) -> [f64; 2] {
     let history = json!({"travel": {"length_m": -2, "start_s": 10, "duration_s": 120, "ramp_s": 30}});
     let mut changes =
@@ -127,7 +129,7 @@ fn sinking(with: &[(&str, Value)]) -> [f64; 2] {
 }
 
 #[test]
-fn a_receiver_gives_it_slow_motion_and_its_drop_out_is_survived() {
+fn an_inertial_unit_with_a_receiver_estimates_slow_motion_and_continues_after_a_drop_out() {
     let receiver = |more: Value| {
         let mut receiver = json!({"body": "raft", "position_m": [3, -2, 8], "period_s": 0.1, "delay_samples": 1});
         receiver.as_object_mut().unwrap().extend(more.as_object().unwrap().clone());
@@ -171,7 +173,7 @@ fn what_cannot_be_is_named_with_its_place() {
 
 /// The heading is that of the gyrocompass, with its constant error from the start.
 #[test]
-fn its_yaw_is_that_of_the_gyrocompass() {
+fn the_yaw_of_an_inertial_unit_is_that_of_the_gyrocompass() {
     let errors = [("sensors.inertial.inertial_unit.heading_errors", json!({"bias_rad": 0.01}))];
     let mut simulation = changed(&errors);
     for _ in 0..20 {

@@ -100,7 +100,7 @@ forces:
 }
 
 #[test]
-fn a_crane_in_free_space_keeps_energy_and_momentum_while_its_rope_holds() {
+fn a_crane_in_free_space_conserves_energy_and_momentum_while_its_rope_is_taut() {
     let (error, events) = ledger(&without_stretch(&crane_in_space("")), 140);
     // Its load comes towards the crane at first: the rope is slack, comes taut once and stays so.
     assert_eq!(events.iter().filter(|event| *event == "comes taut").count(), 1, "{events:?}");
@@ -145,7 +145,7 @@ fn a_pendulum_on_an_inextensible_rope_keeps_its_length_and_energy_by_every_schem
 }
 
 #[test]
-fn a_ball_that_loops_goes_slack_where_its_rope_pulls_no_more() {
+fn a_rope_with_a_looping_ball_goes_slack_where_its_tension_vanishes() {
     // From below with v0^2 = 3.5 g l: T = m v^2 / l + m g cos = 0 where cos = -(v0^2 / (g l) - 2) / 3 = -1/2.
     let speed = (3.5 * GRAVITY * 5.0_f64).sqrt();
     let start = format!(
@@ -169,7 +169,7 @@ fn a_ball_that_loops_goes_slack_where_its_rope_pulls_no_more() {
 }
 
 #[test]
-fn a_rope_that_comes_taut_stops_what_moves_along_it_and_that_is_heat() {
+fn a_rope_that_becomes_taut_stops_the_motion_along_it_and_its_energy_becomes_heat() {
     // Thrown level at 2 m/s, 3 m below the origin: its rope of 5 m comes taut at 45 degrees or so and the ball swings on.
     let text = swinging_ball(
         "unstretched_length_m: 5",
@@ -203,7 +203,7 @@ fn a_rope_that_comes_taut_stops_what_moves_along_it_and_that_is_heat() {
 }
 
 #[test]
-fn a_rope_ten_times_as_stiff_comes_ten_times_as_near_to_one_that_does_not_stretch() {
+fn the_difference_from_an_inextensible_rope_is_ten_times_smaller_for_ten_times_the_stiffness() {
     // A stiff rope hangs lower by T l / EA and trembles about that by the centripetal force's change: of the order of 1 / EA.
     let end = |rope: &str| {
         let text = swinging_ball(
@@ -227,7 +227,7 @@ fn a_rope_ten_times_as_stiff_comes_ten_times_as_near_to_one_that_does_not_stretc
 }
 
 #[test]
-fn a_stiff_rope_whose_damper_leaves_no_rebound_comes_taut_as_one_that_does_not_stretch() {
+fn a_stiff_rope_without_rebound_becomes_taut_like_an_inextensible_one() {
     let start = "x: {initial_extension_m: 0, initial_speed_m_s: 2}, y: {initial_extension_m: -3, initial_speed_m_s: 0}";
     let end = |rope: &str| {
         let mut ball = simulation(&swinging_ball(rope, start, "step_s: 0.0001, duration_s: 2"));
@@ -302,7 +302,7 @@ fn loads_hang_at_rest_on_ropes_that_do_not_stretch() {
 }
 
 #[test]
-fn two_ropes_that_hold_the_same_end_the_run_by_the_name_of_one() {
+fn two_ropes_that_carry_the_same_load_end_the_run_with_the_name_of_one() {
     let text = atwood([300.0, 200.0], "").replace(
         "forces:\n",
         "forces:
@@ -363,7 +363,7 @@ fn exact_derivatives_of_a_held_motion_are_those_of_its_dual_numbers() {
 }
 
 #[test]
-fn what_an_inextensible_rope_cannot_have_is_refused_where_it_stands() {
+fn an_invalid_field_of_an_inextensible_rope_is_refused_at_its_place() {
     let refused = |rope: &str| {
         let text = swinging_ball(
             rope,

@@ -1,4 +1,4 @@
-//! The linear check: which feedback grows, with sums, sensors and their delays.
+//! The linear check: which feedback makes a mode grow, with integrals, sensors and their delays.
 
 use super::controllers::{MASS, STIFFNESS, oscillator};
 use crate::common;
@@ -8,7 +8,7 @@ use common::simulation;
 /// `m x'' + c x' + k x = -F K_I (integral of x)` is stable for `F K_I < c k / m` (Routh). The sum counts the present sample, half a
 /// period early, and its value is held, half a period late.
 #[test]
-fn the_linear_check_knows_the_integral() {
+fn the_linear_check_includes_the_integral() {
     let (zeta, force) = (0.05, 10.0);
     let damping = 2.0 * zeta * libm::sqrt(STIFFNESS * MASS);
     let largest = damping * STIFFNESS / MASS / force;
@@ -24,9 +24,9 @@ fn the_linear_check_knows_the_integral() {
     }
 }
 
-/// A feedback by sensors grows as one by what they measure does.
+/// Feedback through sensors grows like feedback of the measured values themselves.
 #[test]
-fn the_linear_check_sees_through_sensors() {
+fn the_linear_check_includes_feedback_through_sensors() {
     let growing = |column: &str, gain: f64| {
         let text = format!(
             "controllers: {{hold: {{state_feedback: {{reads: [{{column: {column}}}], steers: [{{to: push, gains: [{gain}]}}]}}}}}}
@@ -57,7 +57,7 @@ sensors:
 /// `m x'' + c x' + k x = -F K x(t - age)` grows where the delay turns stiffness into negative damping: with `w` near `w0`, at
 /// `F K sin(w age) > c w`, w^2 = w0^2 + F K cos(w age) / m. A sample held for T is T / 2 older on average.
 #[test]
-fn the_linear_check_knows_the_delay_of_a_sensor() {
+fn the_linear_check_includes_the_delay_of_a_sensor() {
     let (zeta, force, step) = (0.05, 10.0, 0.001);
     let w0 = libm::sqrt(STIFFNESS / MASS);
     let damping = 2.0 * zeta * w0 * MASS;

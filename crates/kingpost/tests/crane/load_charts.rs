@@ -1,4 +1,4 @@
-//! Load charts of cranes: radius, rated load and hook load against those by hand.
+//! Load charts of cranes: radius, rated load and hook load, against hand calculations.
 
 use crate::common;
 
@@ -7,8 +7,8 @@ use kingpost::scenario::read;
 
 const G: f64 = 9.80665;
 
-/// A crane of radius 12 m that stands heeled and slewed, and a load 10 m below its tip in the crane's own axes, off to port by
-/// so much, m. The rope carries 1e6 N per strain.
+/// A crane of radius 12 m, heeled and slewed, and a load 10 m below its tip in the crane's axes, and off to
+/// port by this distance, m. The rope carries 1e6 N per unit strain.
 fn crane([heel_deg, slew_deg, off]: [f64; 3], path: &str, more: &str) -> String {
     let (sin, cos) = slew_deg.to_radians().sin_cos();
     let [x, y, z] = [12.0 * cos - off * sin, 12.0 * sin + off * cos, 10.0];
@@ -52,16 +52,16 @@ const DOUBLE: &str = "        - point: {body: load, falls: 2}\n";
 const DEAD_END_ON_THE_BOOM: &str =
     "        - point: {body: load}\n        - point: {body: post, position_m: [12, 0, 20]}\n";
 
-/// Returns the length as text and the tension, N, of a rope of 11 m on the boom and so many falls of 10 m that is short
-/// by 20 mm.
+/// Returns the length as text and the tension, N, of a rope with 11 m on the boom and this number of falls of
+/// 10 m, too short by 20 mm.
 fn short(falls: f64) -> (String, f64) {
     let length = 11.0 + 10.0 * falls - 0.02;
     (format!("      unstretched_length_m: {length}\n"), 1e6 * 0.02 / length)
 }
 
-/// Heel and slew turn the crane as a whole: its radius stays 12 m, and its rated load 3.4 t.
+/// Heel and slew rotate the crane as a whole: its radius stays 12 m, and its rated load 3.4 t.
 #[test]
-fn the_radius_is_the_cranes_own_and_the_hook_load_counts_every_fall() {
+fn the_radius_is_relative_to_the_crane_and_the_hook_load_includes_every_fall() {
     for place in [[0.0, 0.0, 0.0], [0.0, 130.0, 0.0], [7.0, -40.0, 0.0]] {
         for (path, falls) in [(SINGLE, 1.0), (DOUBLE, 2.0), (DEAD_END_ON_THE_BOOM, 2.0)] {
             let (length, tension) = short(falls);
@@ -77,7 +77,7 @@ fn the_radius_is_the_cranes_own_and_the_hook_load_counts_every_fall() {
 }
 
 #[test]
-fn a_load_off_to_the_side_pulls_as_hard_and_leaves_the_radius_at_the_tip() {
+fn a_load_off_to_the_side_has_its_full_hook_load_and_the_radius_of_the_tip() {
     let mut found = simulation(&crane([0.0, 20.0, 4.0], SINGLE, "      unstretched_length_m: 21.7\n"));
     let tension = 1e6 * (11.0 + 116.0_f64.sqrt() - 21.7) / 21.7;
     assert!((values(&mut found, "hook_load")[0] * G / tension - 1.0).abs() < 1e-9);
@@ -102,9 +102,9 @@ fn a_load_at_rest_on_a_heavy_rope_or_an_inextensible_one_shows_its_mass() {
     assert!((values(&mut held, "hook_load")[0] - 1000.0).abs() < 1e-6);
 }
 
-/// Linear between 10 m and 20 m, and held at 5 m and at 20 m, with a warning there.
+/// Linear between 10 m and 20 m, and constant at 5 m and at 20 m, with a warning there.
 #[test]
-fn the_rated_load_is_linear_between_radii_and_held_at_the_ends_of_the_chart_with_a_warning() {
+fn the_rated_load_is_linear_between_radii_and_constant_beyond_the_chart_with_a_warning() {
     for (tip, rated_t, outside) in [(5.0, 8.0, false), (7.5, 6.0, false), (15.0, 2.5, false), (20.0, 1.0, false)]
         .into_iter()
         .chain([(3.0, 8.0, true), (24.0, 1.0, true)])
@@ -119,9 +119,9 @@ fn the_rated_load_is_linear_between_radii_and_held_at_the_ends_of_the_chart_with
     }
 }
 
-/// A mass on a spring that is let go pulls with twice its weight: 2 t at 12 m, of 3.4 t, and of 1.7 t.
+/// A mass that is released on a spring pulls with twice its weight: 2 t at 12 m, of 3.4 t, and of 1.7 t.
 #[test]
-fn a_load_beyond_the_chart_is_warned_of_with_the_worst_utilisation() {
+fn a_load_beyond_the_chart_gives_a_warning_with_the_largest_utilisation() {
     let let_go = |rated: &str| {
         let text = crane([0.0; 3], SINGLE, "").replace("rated_loads_t: [8, 4, 1]", rated);
         let mut found = simulation(&text);
@@ -133,7 +133,7 @@ fn a_load_beyond_the_chart_is_warned_of_with_the_worst_utilisation() {
 }
 
 #[test]
-fn a_chart_that_is_none_is_refused_where_it_is_written() {
+fn an_invalid_chart_is_refused_at_its_place() {
     let whole = "{joint: slew, radii_m: [5, 10, 20], rated_loads_t: [8, 4, 1]}";
     for (chart, wording) in [
         (

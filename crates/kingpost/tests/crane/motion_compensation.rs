@@ -1,4 +1,5 @@
-//! Compensation in several axes: closed forms of what is left of a sinusoidal motion, limits, singular places.
+//! Compensation in several axes: closed forms of the residual of a sinusoidal motion, limits, singular
+//! positions.
 
 use crate::common;
 
@@ -152,7 +153,7 @@ fn rest(delay_s: f64) -> f64 {
 const OF_THE_GEOMETRY: f64 = 5e-3;
 
 #[test]
-fn what_is_left_of_a_sway_in_each_axis_is_as_the_formula_says() {
+fn the_residual_of_a_sway_in_each_axis_agrees_with_the_formula() {
     for (sensor, delay_s) in [(json!(null), 0.0), (json!("mru"), 0.1)] {
         let [x, y, z] = left(&mut changed(DECK, &[("KEEP.sensor", sensor)]), "compensation_offset");
         let (x, y, expected) = (x / 0.12, y / 0.16, rest(delay_s));
@@ -164,7 +165,7 @@ fn what_is_left_of_a_sway_in_each_axis_is_as_the_formula_says() {
 }
 
 #[test]
-fn with_prediction_less_than_one_percent_of_a_sway_is_left() {
+fn with_prediction_the_residual_of_a_sway_is_less_than_one_percent() {
     for sensor in [json!(null), json!("mru")] {
         let changes =
             [("KEEP.sensor", sensor), ("KEEP.prediction", json!({})), ("KEEP.position_gain_per_s", json!(0.3))];
@@ -191,9 +192,9 @@ fn an_operator_moves_the_point_along_the_worlds_axes_while_the_deck_sways() {
     assert!(offset.iter().all(|off| off.abs() < 0.02), "{offset:?}");
 }
 
-/// Drives that are too slow give what they can; when the deck has stopped, the tip is back without an overshoot that was saved up.
+/// Drives that are too slow give their maximum; when the deck has stopped, the tip returns without overshoot.
 #[test]
-fn at_the_limits_of_the_drives_nothing_winds_up() {
+fn the_integrals_do_not_wind_up_at_the_limits_of_the_drives() {
     let slow = ("drives.slewing.controlled_drive.speed_limit_rad_s", json!(0.008));
     let mut simulation = changed(DECK, &[slow, ("KEEP.position_gain_per_s", json!(0.5))]);
     let mut most: f64 = 0.0;
@@ -209,9 +210,10 @@ fn at_the_limits_of_the_drives_nothing_winds_up() {
     assert!(most < 0.45, "{most} m");
 }
 
-/// With the boom level, luffing moves the tip only up and down: nothing can move it outward, and nothing is asked to.
+/// With the boom level, luffing moves the tip only up and down: no drive can move it outward, and no such
+/// speed is commanded.
 #[test]
-fn at_a_singular_place_the_speeds_stay_within_their_limits() {
+fn at_a_singular_position_the_speeds_stay_within_their_limits() {
     let level = ("bodies.boom.joint.revolute.initial_angle_deg", json!(0));
     let near = ("bodies.load.joint.floating.initial.position_m", json!([10.12, 0.16, 0]));
     let mut simulation = changed(DECK, &[level, near, ("KEEP.position_gain_per_s", json!(0.5))]);
@@ -227,7 +229,7 @@ fn at_a_singular_place_the_speeds_stay_within_their_limits() {
 }
 
 #[test]
-fn a_platform_stays_level_and_at_its_height_as_the_formula_says() {
+fn the_residual_of_a_level_platform_agrees_with_the_formula() {
     for (sensor, delay_s) in [(json!(null), 0.0), (json!("mru"), 0.1)] {
         let found = left(&mut changed(PLATFORM, &[("KEEP.sensor", sensor)]), "platform_offset");
         let expected = rest(delay_s);
@@ -242,7 +244,7 @@ fn a_platform_stays_level_and_at_its_height_as_the_formula_says() {
 /// The unit is 5 m off the roll axis, its antenna 10 m above and 7 m to the other side. With exact sensors what is left is the
 /// curvature of the motion over the age of a position, up to 0.2 s: of the unit's and of the antenna's.
 #[test]
-fn a_receiver_gives_a_unit_its_slow_motion_by_the_angles_between_them() {
+fn a_receiver_gives_a_unit_its_slow_motion_through_the_lever_arm_between_them() {
     let unit = |filter: Value| json!({"motion_reference_unit": {"body": "deck", "position_m": [1, 5, 1], "period_s": 0.05, "horizontal_motion": true, "heave_filter": filter}});
     let receiver =
         json!({"satellite_receiver": {"body": "deck", "position_m": [3, -2, 11], "period_s": 0.1, "delay_samples": 1}});

@@ -1,4 +1,5 @@
-//! Operations as timelines: steps that move inputs until a condition holds, and the limits that a run is held against.
+//! Operations as timelines: steps that change inputs until a condition holds, and limits against which a run
+//! is checked.
 
 use crate::common;
 
@@ -26,7 +27,7 @@ drives:
     )
 }
 
-/// 1 s at full force, coasting until the cage is beyond 4 m, braking until it stands, and then nothing.
+/// Full force for 1 s, coasting until the cage is beyond 4 m, braking until it is at rest, and then no force.
 pub const PUSH_COAST_BRAKE: &str = "operation:
   steps:
     - {name: push, set: [{input: push, to: 1}], until: {after_s: 1}}
@@ -42,7 +43,7 @@ pub fn run(text: &str) -> Simulation {
 }
 
 #[test]
-fn steps_begin_and_end_when_their_conditions_say() {
+fn steps_start_and_end_by_their_conditions() {
     let found = run(&slide(0.01, PUSH_COAST_BRAKE));
     let events: Vec<(f64, &str)> = found.events().iter().map(|event| (event.time_s, event.what.as_ref())).collect();
     // x = a t^2 / 2 with a = 5 m/s^2 is 2.5 m after 1 s, at 5 m/s: 4 m at 1.3 s, or a step later; it stands 1 s after that.
@@ -56,7 +57,7 @@ fn steps_begin_and_end_when_their_conditions_say() {
 }
 
 #[test]
-fn the_step_under_way_is_a_column_of_the_results() {
+fn the_current_step_is_a_column_of_the_results() {
     let mut found = simulation(&slide(0.01, PUSH_COAST_BRAKE));
     for (time_s, step) in [(0.5, 1.0), (1.2, 2.0), (2.0, 3.0), (3.0, 5.0)] {
         while found.time_s() < time_s - 1e-9 {
@@ -82,7 +83,7 @@ fn an_input_that_moves_over_a_time_is_followed_in_second_order_of_the_step() {
 }
 
 #[test]
-fn moves_of_one_step_begin_at_their_times_and_each_from_where_the_one_before_it_ended() {
+fn moves_of_one_step_start_at_their_times_from_the_end_of_the_previous_move() {
     let rest = "operation:
   steps:
     - name: all
@@ -105,7 +106,7 @@ fn moves_of_one_step_begin_at_their_times_and_each_from_where_the_one_before_it_
 }
 
 #[test]
-fn conditions_go_together_by_all_and_any() {
+fn conditions_are_combined_by_all_and_any() {
     let ends = |until: &str| {
         let steps = format!("[{{name: push, set: [{{input: push, to: 1}}], until: {until}}}]");
         let found = run(&slide(0.01, &format!("operation: {{steps: {steps}}}\n")));
@@ -123,7 +124,7 @@ fn conditions_go_together_by_all_and_any() {
 }
 
 #[test]
-fn a_condition_that_never_comes_ends_the_run_and_is_named() {
+fn a_condition_that_is_never_met_ends_the_run_and_is_named() {
     let steps = "[{name: push on, set: [{input: push, to: 1}], time_out_s: 0.5, until: {any: [{value: {column: \
                  slide.joint_position, above: 900, below: 1000}}, {value: {column: slide.joint_velocity, below: -1}}]}}]";
     let mut found = simulation(&slide(0.01, &format!("operation: {{steps: {steps}}}\n")));
@@ -138,7 +139,7 @@ fn a_condition_that_never_comes_ends_the_run_and_is_named() {
 }
 
 #[test]
-fn a_reset_and_a_snapshot_lead_to_the_same_bits() {
+fn a_run_after_a_reset_or_a_snapshot_is_bitwise_identical() {
     let mut found = run(&slide(0.01, PUSH_COAST_BRAKE));
     let (end, events) = (found.state().q.clone(), found.events().to_vec());
     found.reset();
@@ -153,7 +154,7 @@ fn a_reset_and_a_snapshot_lead_to_the_same_bits() {
 }
 
 #[test]
-fn a_hand_may_not_set_what_an_operation_sets() {
+fn a_user_cannot_set_an_input_of_an_operation() {
     let mut found = simulation(&slide(0.01, PUSH_COAST_BRAKE));
     let (name, signal) = ("push".to_owned(), "operation".to_owned());
     assert_eq!(found.set_input("push", 0.5), Err(InputError::Wired { name, signal }));
@@ -163,7 +164,7 @@ fn a_hand_may_not_set_what_an_operation_sets() {
 }
 
 #[test]
-fn a_batch_has_the_bits_of_each_run_alone_though_their_steps_end_at_different_times() {
+fn a_batch_is_bitwise_identical_to_each_run_alone_although_steps_end_at_different_times() {
     let text = slide(0.01, PUSH_COAST_BRAKE);
     let variant = |mass: f64| vec![("bodies.cage.mass_kg".to_owned(), mass.into())];
     let masses = [1.0, 1.5, 2.0, 2.5, 3.0];
@@ -177,7 +178,7 @@ fn a_batch_has_the_bits_of_each_run_alone_though_their_steps_end_at_different_ti
 }
 
 #[test]
-fn a_result_has_a_derivative_along_what_an_input_goes_to() {
+fn a_result_has_a_derivative_with_respect_to_the_target_of_an_input() {
     // x = F / (2 m) (t - 1)^2 from 1 s on, to 4 s: dx/dlever = 10 / 4 * 9.
     let rest = "operation: {steps: [{name: push, set: [{input: push, to: 0.6, at_s: 1}]}]}\n";
     let scenario = read(&slide(0.01, rest), "slide.yaml", &[]).expect("it reads");
@@ -189,7 +190,7 @@ fn a_result_has_a_derivative_along_what_an_input_goes_to() {
 }
 
 #[test]
-fn limits_say_whether_they_held_the_worst_value_and_when() {
+fn limits_report_whether_they_held_and_the_worst_value_with_its_time() {
     let rest = format!(
         "{PUSH_COAST_BRAKE}limits:
   speed: {{column: slide.joint_velocity, within: 4.9}}
@@ -283,7 +284,7 @@ fn a_mistake_in_a_limit_is_refused_at_its_place() {
 }
 
 #[test]
-fn a_column_that_is_misspelt_is_found_among_many() {
+fn a_misspelt_column_gets_a_suggestion_among_many() {
     let text = slide(0.01, "limits: {a: {column: cage.velocty.x, at_most: 1}}\n");
     refused(&text, "; did you mean cage.velocity.x?");
 }

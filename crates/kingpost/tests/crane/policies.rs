@@ -1,4 +1,4 @@
-//! Learned policies against their own law, selectors against what they pass, and the linear check of both.
+//! Learned policies against their control law, selectors against their inputs, and the linear check of both.
 
 use crate::common;
 
@@ -25,7 +25,7 @@ controllers:
     )
 }
 
-/// Two units with tanh between two readings and the lever.
+/// Two tanh units between two readings and the lever.
 const LEARNED: &str = "  learned:
     policy:
       reads:
@@ -53,7 +53,7 @@ fn law(position: f64, velocity: f64) -> f64 {
 }
 
 #[test]
-fn a_policy_is_its_law_at_its_samples_and_adds_its_command() {
+fn a_policy_evaluates_its_law_at_its_samples_and_adds_its_command() {
     let mut found = simulation(&cage(LEARNED));
     let (mut added, mut clipped) = (0.0, 0);
     for step in 0..300 {
@@ -74,7 +74,7 @@ fn a_policy_is_its_law_at_its_samples_and_adds_its_command() {
 }
 
 #[test]
-fn a_policy_that_is_off_passes_its_command() {
+fn a_disabled_policy_passes_its_command() {
     let mut found = simulation(&cage(&LEARNED.replace("reads:", "enabled: false\n      reads:")));
     found.set_input("learned", 0.25).expect("its command");
     found.step(3).expect("it runs");
@@ -112,9 +112,9 @@ fn a_selector_passes_one_branch_and_no_other() {
     }
 }
 
-/// The feedback of the selected branch alone grows, as it does without a selector between it and the drive.
+/// Only the feedback of the selected branch grows, as without a selector between it and the drive.
 #[test]
-fn the_linear_check_looks_through_a_selector() {
+fn the_linear_check_includes_feedback_through_a_selector() {
     let growing = |controllers: &str| simulation(&cage(controllers)).growing_with_feedback();
     assert_eq!(growing(&choice("good")), None);
     let behind = growing(&choice("bad")).expect("it grows");

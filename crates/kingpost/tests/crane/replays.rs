@@ -1,4 +1,4 @@
-//! Replay of what a hand set in a run, by a scenario.
+//! Replay of a user's inputs in a run, as a scenario.
 
 use crate::operations::{PUSH_COAST_BRAKE, run, slide};
 use kingpost::Simulation;
@@ -21,7 +21,7 @@ fn run_again(scenario: &Scenario) -> Simulation {
 }
 
 #[test]
-fn what_a_hand_set_replays_as_an_operation_to_the_same_bits() {
+fn a_replay_of_user_inputs_as_an_operation_is_bitwise_identical() {
     let free = read(&slide(0.01, ""), "slide.yaml", &[]).expect("it reads");
     let mut driven = by_hand(&free);
     // Of two moves between the same steps the last counts.
@@ -44,7 +44,7 @@ fn a_replay_lasts_as_long_as_the_run() {
 }
 
 #[test]
-fn moves_by_hand_take_the_place_of_an_operation_that_is_off_and_of_what_parameters_wrote_into_it() {
+fn user_inputs_replace_a_disabled_operation_and_the_values_that_parameters_wrote_into_it() {
     let parameters = "parameters:
   - {name: steered, default: false, writes: [operation.enabled]}
   - {name: force, default: 0.5, writes: [operation.steps.0.set.0.to]}
@@ -61,7 +61,7 @@ fn moves_by_hand_take_the_place_of_an_operation_that_is_off_and_of_what_paramete
 }
 
 #[test]
-fn moves_by_hand_do_not_stand_beside_an_operation_that_is_on() {
+fn a_replay_with_an_enabled_operation_is_refused() {
     let other = "  hold: {linear_motor: {joint: slide, force_N: 1, history: lever}}\n";
     let on = read(&slide(0.01, &format!("{other}{PUSH_COAST_BRAKE}")), "slide.yaml", &[]).expect("it reads");
     let mut driven = on.simulation().expect("it builds");

@@ -1,4 +1,4 @@
-//! Offlead and sidelead of ropes: the angles of the leg between crane and load, from the places of both.
+//! Offlead and sidelead of ropes: the angles of the leg between crane and load, from the positions of both.
 
 use crate::common;
 
@@ -48,7 +48,7 @@ const DEAD_END_ON_THE_LOAD: &str = "        - point: {body: load}
 ";
 
 #[test]
-fn the_leg_between_crane_and_load_leads_off_as_the_load_lies() {
+fn the_lead_angles_of_the_leg_to_the_load_follow_the_loads_position() {
     for azimuth_deg in [0.0, 37.0, -150.0] {
         for place in [[0.0, 0.0, 10.0], [2.0, 0.0, 10.0], [-1.0, 0.0, 8.0], [0.0, 1.5, 10.0], [1.0, -2.0, 6.0_f64]] {
             for path in [SINGLE, DEAD_END_ON_THE_BOOM, DEAD_END_ON_THE_LOAD] {
@@ -66,7 +66,7 @@ fn the_leg_between_crane_and_load_leads_off_as_the_load_lies() {
 }
 
 #[test]
-fn about_an_upright_axis_a_rope_has_no_offlead_and_its_angle_to_the_level_for_sidelead() {
+fn about_a_vertical_axis_a_rope_has_zero_offlead_and_its_angle_to_the_horizontal_as_sidelead() {
     let path = "        - point: {body: load}\n";
     let text = crane(0.0, [3.0, 0.0, 4.0], path)
         .replace("radius_m: 0.0001, axis: [0, 1, 0]", "radius_m: 0.0001, axis: [0, 0, 1]");

@@ -1,4 +1,4 @@
-//! Mistakes that a person may make with a rope: each has an answer at its place.
+//! Mistakes that a user can make with a rope: each is reported at its place.
 
 use crate::common;
 
@@ -43,7 +43,7 @@ fn refused(from: &str, to: &str) -> String {
 }
 
 #[test]
-fn a_rope_that_holds_nothing_is_refused() {
+fn a_rope_without_a_load_is_refused() {
     let path = "- drum: {joint: winch, radius_m: 0.5}
         - sheave: {body: world, radius_m: 0.3, axis: [0, 1, 0]}
         - point: {body: load}";
@@ -63,7 +63,7 @@ fn falls_are_a_whole_number() {
 }
 
 #[test]
-fn a_path_that_is_none_is_refused_at_its_place() {
+fn an_invalid_path_is_refused_at_its_place() {
     let cases = [
         (
             "- drum: {joint: winch, radius_m: 0.5}\n",
@@ -115,7 +115,8 @@ fn a_path_that_is_none_is_refused_at_its_place() {
     }
 }
 
-/// The load's sphere of 0.6 m is no sheave: the rope ends in its centre, which the winch hauls into the fixed sheave.
+/// The load's sphere of 0.6 m is not a sheave: the rope ends at its centre, which the winch hauls into the
+/// fixed sheave.
 #[test]
 fn a_winch_that_hauls_its_load_into_the_sheave_is_an_event() {
     let text = TEXT.replace("rate_rad_s: 0", "rate_rad_s: -2").replace("step_s: 0.002", "step_s: 0.001");
@@ -170,9 +171,9 @@ fn a_rope_that_cannot_carry_its_load_at_rest_is_refused() {
     assert!(error.contains("forces.fall.rope.breaking_load_N: found 5000, allowed: more than 9807 N"), "{error}");
 }
 
-/// The damper's pull at 2 m/s is k tau v = 20 kN as the rope comes taut.
+/// The tension from the damper at 2 m/s is k tau v = 20 kN as the rope becomes taut.
 #[test]
-fn a_rope_parts_where_its_damper_pulls_too_hard_as_it_comes_taut() {
+fn a_rope_parts_when_its_damper_exceeds_the_breaking_load_as_it_becomes_taut() {
     let drop = |load: &str| {
         let text = hanging(&format!("\n      damping_time_s: 0.1\n      breaking_load_kN: {load}"));
         let text = text.replace("begin_at_equilibrium: true", "begin_at_equilibrium: false");
@@ -186,7 +187,7 @@ fn a_rope_parts_where_its_damper_pulls_too_hard_as_it_comes_taut() {
     assert!(!parted && tension > 1e4, "{tension}");
 }
 
-/// A rope that is made longer, or shorter, while a run goes on is slack, or pulls, from there on.
+/// A rope that is lengthened or shortened during a run becomes slack or taut from then on.
 #[test]
 fn a_rope_whose_length_is_set_during_a_run_goes_slack_and_taut() {
     let text = hanging("");

@@ -46,7 +46,7 @@ fn lead() -> f64 {
     (25.0_f64 - 0.25).sqrt()
 }
 
-/// The time of the first upward crossing of the load's x through zero, by the cubic through two steps.
+/// Returns the time of the first upward zero crossing of the load's x, by the cubic through two steps.
 fn first_crossing(text: &str) -> f64 {
     let mut swinging = simulation(text);
     let mut before = swinging.state().clone();
@@ -90,7 +90,7 @@ fn a_load_on_a_rope_of_5_to_100_m_swings_with_the_period_of_a_pendulum() {
 /// `theta = (A J1(u) + B Y1(u)) / u` with `u = 2 sqrt(g l) / v` where l grows by v (Lecornu 1895; Watson, *Theory of
 /// Bessel Functions*, 1922, sec. 4.3).
 #[test]
-fn a_pendulum_that_a_winch_lengthens_swings_by_bessel_functions() {
+fn a_pendulum_lengthened_by_a_winch_swings_by_bessel_functions() {
     let (length, speed, angle) = (10.0, 0.5, 1e-4);
     let winch = format!(", mode: {{prescribed: {{rate_rad_s: {}}}}}", speed / 0.5);
     let weight = MASS * GRAVITY;
@@ -123,7 +123,7 @@ fn a_pendulum_that_a_winch_lengthens_swings_by_bessel_functions() {
 
 /// Energy: `k e^2 / 2 - W e = m v^2 / 2` from rest length, and about the static stretch.
 #[test]
-fn a_load_that_stops_suddenly_pulls_as_the_energy_says_with_the_crane_in_series() {
+fn the_peak_tension_of_a_suddenly_stopped_load_follows_from_the_energy_with_the_crane_in_series() {
     let (length, speed) = (20.0, 0.8);
     let weight = MASS * GRAVITY;
     let compliance = (length + lead()) / 5e6 + 1.0 / 4e5;
@@ -212,7 +212,8 @@ forces:
     }
 }
 
-/// At rest the factor is 1 by the weight on each fall; a load of which the rope suddenly carries all swings up to 2.
+/// At rest the factor is 1 for the weight on each fall; a load whose full weight acts suddenly on the rope
+/// swings up to 2.
 #[test]
 fn the_dynamic_amplification_factor_of_a_rope_is_over_the_weight_in_air_on_each_fall() {
     let text = |length: f64| {
@@ -250,9 +251,10 @@ forces:
     assert!((most - 2.0).abs() < 1e-4, "{most}");
 }
 
-/// Four falls carry a quarter each; friction at each of two sheaves takes its share of what the drum must hold.
+/// Four falls carry a quarter each; friction at each of two sheaves reduces the tension that the drum must
+/// hold.
 #[test]
-fn falls_share_the_weight_and_sheaves_take_their_part_of_the_lead() {
+fn falls_share_the_weight_and_sheave_friction_reduces_the_lead_tension() {
     let text = format!(
         "version: 1
 title: A hoist
@@ -292,7 +294,7 @@ forces:
     assert!((lead / (tension / 0.96 / 0.96) - 1.0).abs() < 1e-4, "{lead}");
 }
 
-/// `T R / eta` hauls in, `T R eta` holds while it pays out; what is lost is heat.
+/// `T R / eta` hauls in, `T R eta` holds while the drum pays out; the loss is heat.
 #[test]
 fn a_winch_with_friction_takes_more_torque_to_haul_in_than_to_pay_out() {
     for (rate, expected) in [(-1.0, 1.0 / 0.9), (1.0, 0.85)] {
@@ -351,9 +353,9 @@ fn a_rope_parts_at_its_breaking_load_and_its_energy_is_lost() {
     assert!(values(&mut parting, "energy_error")[0].abs() < 1e-9 * lost);
 }
 
-/// Wherever a load hangs below it, a tip that it hangs on carries its weight.
+/// The tip carries the weight of a hanging load for any length of the rope.
 #[test]
-fn a_hanging_load_heels_a_ship_as_one_that_is_fixed_at_the_tip() {
+fn a_hanging_load_heels_a_ship_like_a_mass_fixed_at_the_tip() {
     let heel = |load: &str, forces: &str| {
         let text = format!(
             "version: 1

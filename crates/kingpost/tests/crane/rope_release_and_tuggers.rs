@@ -1,4 +1,4 @@
-//! Ropes that are released or part as they come taut, and lines of constant tension.
+//! Ropes that are released, or part as they become taut, and lines of constant tension.
 
 use crate::common;
 
@@ -42,7 +42,7 @@ const RELEASED: &str = "operation:
 ";
 
 #[test]
-fn a_load_that_is_released_falls_and_what_carried_it_swings_up_by_its_weight() {
+fn a_released_load_falls_and_its_support_springs_up_by_the_weight() {
     let mut found = simulation(&hoist(RELEASED));
     assert!((values(&mut found, "rope_tension")[0] - 2000.0 * GRAVITY).abs() < 1e-4);
     let height = |found: &mut kingpost::Simulation| values(found, "position")[5];
@@ -64,7 +64,7 @@ fn a_load_that_is_released_falls_and_what_carried_it_swings_up_by_its_weight() {
 }
 
 #[test]
-fn a_hand_may_release_a_load_and_it_stays_lost() {
+fn a_load_released_by_a_user_stays_released() {
     let mut found = simulation(&hoist(""));
     found.step(100).expect("it hangs");
     found.set_input("hook", 1.0).expect("it is a lever");
@@ -81,8 +81,8 @@ fn a_hand_may_release_a_load_and_it_stays_lost() {
     assert!((values(&mut found, "rope_tension")[0] - 2000.0 * GRAVITY).abs() < 1e-3);
 }
 
-/// A load of 2 t stands on a stiff table under a hook that moves up at 0.5 m/s; its sling of 2 m is hooked on while the
-/// hook is 1.5 m above it.
+/// A load of 2 t stands on a stiff table under a hook that moves up at 0.5 m/s; its sling of 2 m is connected
+/// while the hook is 1.5 m above it.
 fn pick_up(rest: &str) -> String {
     format!(
         "version: 1
@@ -122,9 +122,9 @@ const HOOKED: &str = "operation:
     - {name: hook on, set: [{input: sling, to: 0}]}
 ";
 
-/// The table's spring stretches by v t after the sling comes taut; the sling is k = 2e6 N/m.
+/// The table's spring stretches by v t after the sling becomes taut; the sling is k = 2e6 N/m.
 #[test]
-fn a_rope_is_hooked_on_slack_and_pulls_from_where_it_is_taut() {
+fn a_rope_is_connected_slack_and_pulls_once_it_is_taut() {
     let mut found = simulation(&pick_up(HOOKED));
     found.step(300).expect("it runs");
     assert_eq!(of_the_sling(&found), [(0.25, "is hooked on")]);
@@ -140,7 +140,7 @@ fn a_rope_is_hooked_on_slack_and_pulls_from_where_it_is_taut() {
 }
 
 #[test]
-fn a_rope_that_is_out_of_reach_is_hooked_on_once_it_is_not() {
+fn a_rope_out_of_reach_is_connected_once_it_reaches() {
     // The hook goes down from 3 m above to 1.5 m: in reach of 2 m at 2 s.
     let text = pick_up(HOOKED)
         .replace("initial_extension_m: 0", "initial_extension_m: 1.5")
@@ -156,7 +156,7 @@ fn a_rope_that_is_out_of_reach_is_hooked_on_once_it_is_not() {
 }
 
 #[test]
-fn a_rope_that_parted_cannot_be_hooked_on_again() {
+fn a_parted_rope_cannot_be_connected_again() {
     // The hook rises at 1 m/s: the tension would reach m g + v sqrt(k m) = 83 kN.
     let again = "    - {name: see it part, until: {after_s: 0.5}}
     - {name: release, set: [{input: sling, to: 1}], until: {after_s: 0.25}}
@@ -175,7 +175,7 @@ fn a_rope_that_parted_cannot_be_hooked_on_again() {
 }
 
 #[test]
-fn a_rope_that_begins_released_has_a_length_and_can_be_hooked_on() {
+fn a_rope_that_starts_released_has_a_length_and_can_be_connected() {
     let error = read(&pick_up("").replace("unstretched_length_m: 2\n", "\n"), "pick_up.yaml", &[])
         .expect_err("no length")
         .to_string();
@@ -188,7 +188,7 @@ fn a_rope_that_begins_released_has_a_length_and_can_be_hooked_on() {
 
 /// After a fall of 1 m at 4.4 m/s a damper of 20 ms makes 2.5e5 * 0.02 * 4.4 = 22 kN at once.
 #[test]
-fn a_rope_that_its_damper_parts_as_it_comes_taut_says_so() {
+fn a_rope_parted_by_its_damper_as_it_becomes_taut_reports_the_cause() {
     let text = format!(
         "version: 1
 title: A load that falls into its rope
@@ -269,7 +269,7 @@ operation:
 }
 
 #[test]
-fn a_rope_that_can_be_released_has_a_name_of_its_own() {
+fn a_rope_that_can_be_released_needs_a_unique_name() {
     let drive = "drives: {hook: {linear_motor: {joint: spring, force_N: 1, history: lever}}}\n";
     let error = read(&hoist(drive), "hoist.yaml", &[]).expect_err("two inputs of one name").to_string();
     assert!(error.contains("forces.hook.rope.can_be_released: found true, with an input hook"), "{error}");
@@ -315,7 +315,7 @@ fn a_tugger_line_pulls_with_its_tension_however_fast_the_load_moves() {
 }
 
 #[test]
-fn friction_of_its_sheaves_is_the_winchs_to_carry_and_becomes_heat() {
+fn the_winch_carries_the_friction_of_the_sheaves_which_becomes_heat() {
     let mut found = simulation(&cart(0.95, 2.0));
     found.step(1000).expect("it moves");
     let way = found.state().q[0] + 20.0;
@@ -365,7 +365,7 @@ fn two_tugger_lines_along_a_swing_damp_it_by_their_damping_over_the_mass() {
 }
 
 #[test]
-fn a_tugger_line_pulls_between_nothing_and_its_largest_tension() {
+fn the_tension_of_a_tugger_line_is_between_zero_and_its_maximum() {
     for (rate, expected) in [(0.01, 5150.0), (0.2, 7000.0), (-0.5, 0.0)] {
         let text = SWING.replace("damping_N_s_per_m: 150", "damping_N_s_per_m: 15000, largest_tension_N: 7000");
         let text = text.replace("initial_angle_rad: 0.001", &format!("initial_rate_rad_s: {}", rate / 20.0));

@@ -112,7 +112,7 @@ fn a_rope_parts_where_its_weight_makes_its_tension_largest() {
 }
 
 #[test]
-fn a_level_rope_hangs_on_both_ends_alike() {
+fn a_level_rope_has_equal_tensions_at_both_ends() {
     // The mass of two loads beside a level rope of 10 m: each carries half of its weight, so that both fall as fast as free.
     let side = |name: &str, x: f64| {
         format!(
@@ -150,7 +150,7 @@ fn weighing(integrator: &str) -> String {
 }
 
 #[test]
-fn a_rope_with_weight_keeps_the_energy_through_slack_taut_and_the_water_line() {
+fn a_rope_with_weight_conserves_energy_through_slack_taut_and_the_water_line() {
     let layers = "radius_m: 0.3, layers: {turns_per_layer: 2, height_m: 0.03, innermost_radius_m: 0.2}";
     for drum in ["radius_m: 0.3", layers] {
         let text = weighing("integrator: dormand_prince, step_s: 0.01");
@@ -170,7 +170,7 @@ fn a_rope_with_weight_on_a_drum_with_layers_has_exact_derivatives() {
 }
 
 #[test]
-fn the_torque_of_a_drum_falls_with_the_layers_that_are_left() {
+fn the_torque_of_a_drum_decreases_with_the_remaining_layers() {
     // R = R0 - c theta, L = L0 + R0 theta - c theta^2 / 2, and of the energy of load and drum, without weight of the rope:
     // (I + M R^2) theta'^2 = 2 M g (L - L0).
     let layers = ", layers: {turns_per_layer: 4, height_m: 0.05, innermost_radius_m: 0.35}";
@@ -190,7 +190,7 @@ fn the_torque_of_a_drum_falls_with_the_layers_that_are_left() {
 }
 
 #[test]
-fn a_drum_says_when_its_innermost_layer_is_the_last() {
+fn a_drum_reports_when_only_its_innermost_layer_remains() {
     // Two layers of 0.1 m and 4 turns: R falls to 0.4 m after 4 turns, from where it stays.
     let layers = ", layers: {turns_per_layer: 4, height_m: 0.1, innermost_radius_m: 0.4}";
     let mut moving = simulation(&falling(100.0, layers, ""));

@@ -63,7 +63,7 @@ pub fn ledger(text: &str, steps: usize) -> (f64, Vec<String>) {
 }
 
 #[test]
-fn a_rope_that_a_drum_pays_out_and_that_goes_slack_and_taut_keeps_energy_and_momentum() {
+fn a_rope_paid_out_by_a_drum_through_slack_and_taut_conserves_energy_and_momentum() {
     let (error, events) = ledger(&crane_in_space(""), 140);
     let happened = |what: &str| events.iter().any(|event| event == what);
     assert!(happened("goes slack") && happened("comes taut"), "{events:?}");
@@ -71,7 +71,7 @@ fn a_rope_that_a_drum_pays_out_and_that_goes_slack_and_taut_keeps_energy_and_mom
 }
 
 #[test]
-fn what_friction_and_damping_take_is_heat_and_nothing_else() {
+fn the_energy_loss_by_friction_and_damping_is_all_heat() {
     let rubbing = crane_in_space(", efficiency_hoisting: 0.95, efficiency_lowering: 0.9");
     let rubbing = rubbing.replace("axial_stiffness_N", "damping_time_s: 0.02\n      axial_stiffness_N");
     let (error, _) = ledger(&rubbing, 130);
@@ -138,7 +138,7 @@ fn the_path_over_sheaves_is_as_long_as_a_belt() {
 }
 
 #[test]
-fn an_event_moves_nothing_that_it_has_nothing_to_do_with() {
+fn an_event_does_not_change_unrelated_states() {
     // A load falls until its rope comes taut, 0.04 s before the cart of a pendulum ceases to speed up: when that is has no
     // influence on the pendulum, whose acceleration is another from there on.
     let text = "version: 1

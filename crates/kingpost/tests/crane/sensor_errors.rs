@@ -1,4 +1,4 @@
-//! Errors that sensors add to the truth, and the filter of heave.
+//! Errors that sensors add to the true values, and the heave filter.
 
 use crate::common;
 
@@ -43,7 +43,7 @@ fn changed(changes: &[(&str, Value)]) -> Simulation {
 }
 
 #[test]
-fn sensors_without_errors_say_the_truth_at_their_samples() {
+fn sensors_without_errors_are_exact_at_their_samples() {
     let mut simulation = changed(&[]);
     simulation.step(100).unwrap();
     let near = |found: f64, expected: f64| assert!((found - expected).abs() < 1e-6, "{found}, not {expected}");
@@ -71,8 +71,8 @@ fn moments(simulation: &mut Simulation, variable: &str, steps: usize) -> [f64; 2
     [mean, (squares / steps as f64 - mean * mean).sqrt()]
 }
 
-/// Checks mean and deviation: of N samples the mean is known to sigma / sqrt(N) and the deviation to sigma / sqrt(2 N):
-/// four of each, N = 5000.
+/// Checks mean and deviation: with N samples the standard error of the mean is sigma / sqrt(N) and that of
+/// the deviation sigma / sqrt(2 N); the limit is four of these, N = 5000.
 #[test]
 fn noise_and_bias_have_the_given_size() {
     let mut simulation = changed(&[
@@ -99,7 +99,7 @@ fn a_resolution_rounds_to_the_nearest_step() {
 }
 
 #[test]
-fn two_sensors_and_two_seeds_have_different_noise_and_one_seed_the_same() {
+fn the_noise_of_sensors_differs_by_sensor_and_by_seed_and_is_repeatable() {
     let noisy = |seed: u64| {
         let errors = json!({"noise_m": 0.1});
         let mut simulation = changed(&[
@@ -168,7 +168,7 @@ fn off_the_truth(simulation: &mut Simulation) -> [f64; 2] {
 /// The filter alone takes more than a third of 1 m away. With the receiver, whose positions are up to a + T = 0.25 s old, what is
 /// left is their curvature over that time, (w (a + T))^2 / 2, as far as the complement of the filter passes it: below 1.1.
 #[test]
-fn a_satellite_receiver_gives_back_the_heave_that_the_filter_removes() {
+fn a_satellite_receiver_restores_the_heave_that_the_filter_removes() {
     let [alone, _] = off_the_truth(&mut changed(&[(FILTER, json!({"cutoff_period_s": 12}))]));
     assert!(alone > 0.35, "{alone} m");
     let with: Value = serde_json::from_str(WITH_RECEIVER).unwrap();
@@ -197,7 +197,7 @@ fn noise_and_offset_of_a_receiver_hardly_reach_the_heave() {
 }
 
 #[test]
-fn a_unit_goes_on_with_its_heave_while_its_receiver_is_out() {
+fn a_unit_continues_its_heave_estimate_while_its_receiver_has_no_signal() {
     let with: Value = serde_json::from_str(WITH_RECEIVER).unwrap();
     let drop_outs = json!({"mean_interval_s": 10, "mean_duration_s": 10});
     let mut simulation = changed(&[(FILTER, with), ("sensors.gnss.satellite_receiver.drop_outs", drop_outs)]);
@@ -211,7 +211,7 @@ fn a_unit_goes_on_with_its_heave_while_its_receiver_is_out() {
 /// A sensor is out for the share D / (D + M) of the time; 20 000 samples hold some 300 drop-outs, so that the share is known
 /// to some 8 %.
 #[test]
-fn a_sensor_that_drops_out_holds_its_last_value_and_says_so() {
+fn a_sensor_that_drops_out_holds_its_last_value_and_reports_it() {
     let mut simulation = changed(&[(
         "sensors.encoder.encoder",
         json!({"joint": "turn", "period_s": 0.01, "errors": {"noise_rad": 0.01}, "drop_outs": {"mean_interval_s": 0.5, "mean_duration_s": 0.1}}),
@@ -233,7 +233,7 @@ fn a_sensor_that_drops_out_holds_its_last_value_and_says_so() {
 }
 
 #[test]
-fn noisy_runs_side_by_side_have_the_rows_that_they_have_alone() {
+fn noisy_runs_in_lanes_have_the_rows_of_single_runs() {
     let variant = |noise: f64| -> batch::Variant {
         vec![
             ("sensors.encoder.encoder.errors".to_owned(), json!({"noise_rad": noise, "bias_rad": 0.1 * noise})),
@@ -258,7 +258,7 @@ fn noisy_runs_side_by_side_have_the_rows_that_they_have_alone() {
 }
 
 #[test]
-fn a_snapshot_carries_what_a_noisy_sensor_holds() {
+fn a_snapshot_contains_the_held_value_of_a_noisy_sensor() {
     let drop_outs = json!({"mean_interval_s": 0.3, "mean_duration_s": 0.2});
     let mut simulation = changed(&[
         ("sensors.gnss.satellite_receiver.drop_outs", drop_outs),
@@ -276,7 +276,7 @@ fn a_snapshot_carries_what_a_noisy_sensor_holds() {
 }
 
 #[test]
-fn a_mistake_of_a_sensor_is_told_with_its_place() {
+fn a_mistake_in_a_sensors_errors_is_reported_with_its_place() {
     let cases = [
         (
             "sensors.cell.load_cell.rope",

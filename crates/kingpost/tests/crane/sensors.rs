@@ -1,4 +1,4 @@
-//! Sensors that sample, and wires that lead what they say to the inputs of others.
+//! Sensors that sample, and wires that connect their values to inputs of other elements.
 
 use crate::common;
 
@@ -9,7 +9,7 @@ use kingpost::simulation::{InputError, Simulation};
 use serde_json::{Value, json};
 use std::collections::HashMap;
 
-/// A deck that rises at a steady speed, and a block on a winch below it that pays out what the deck rises by.
+/// A deck that rises at a constant speed, and a block below it on a winch that pays out the rise of the deck.
 const DECK: &str = "
 version: 1
 title: A deck that rises, and a load that stays
@@ -52,7 +52,7 @@ fn error(changes: &[(&str, Value)]) -> String {
 }
 
 #[test]
-fn a_sensor_holds_what_it_measured_some_samples_ago() {
+fn a_sensor_with_delay_holds_the_value_of_an_earlier_sample() {
     let mut simulation = simulation(&[]);
     for step in 0..200_u32 {
         // Ticks every tenth of a second, two of them late: 0.5 m/s times the time of that tick.
@@ -68,7 +68,7 @@ fn a_sensor_holds_what_it_measured_some_samples_ago() {
 }
 
 #[test]
-fn a_sensor_on_a_turning_body_says_its_roll_and_its_rate_of_turn() {
+fn a_sensor_on_a_rotating_body_measures_its_roll_and_its_yaw_rate() {
     let text = "
 version: 1
 title: A drum
@@ -93,7 +93,7 @@ sensors:
 }
 
 #[test]
-fn a_winch_that_is_wired_to_a_sensor_pays_out_what_the_deck_rises_by() {
+fn a_winch_wired_to_a_sensor_pays_out_the_rise_of_the_deck() {
     let mut wired = simulation(&[]);
     let mut without = simulation(&[("wires.compensation.enabled", json!(false))]);
     wired.step(200).unwrap();
@@ -111,14 +111,14 @@ fn a_winch_that_is_wired_to_a_sensor_pays_out_what_the_deck_rises_by() {
 }
 
 #[test]
-fn an_input_that_is_wired_takes_no_value_by_hand() {
+fn a_user_cannot_set_a_wired_input() {
     let refused = simulation(&[]).set_input("winch.target_offset", 1.0);
     let (name, signal) = ("winch.target_offset".to_owned(), "mru.measured_heave".to_owned());
     assert_eq!(refused, Err(InputError::Wired { name, signal }));
 }
 
 #[test]
-fn a_wire_with_an_end_that_is_not_there_lists_those_that_are() {
+fn an_error_of_a_wire_without_an_existing_end_lists_the_existing_ones() {
     let found = error(&[("wires.compensation.from", json!("mru.measured_heav"))]);
     assert!(
         found.contains("wires.compensation.from: found mru.measured_heav, allowed: one of mru.measured_roll"),
@@ -132,7 +132,7 @@ fn a_wire_with_an_end_that_is_not_there_lists_those_that_are() {
 }
 
 #[test]
-fn a_wire_between_two_units_or_a_second_one_to_an_input_is_refused() {
+fn a_wire_between_different_units_or_a_second_wire_to_an_input_is_refused() {
     let found = error(&[("wires.compensation.from", json!("mru.measured_roll"))]);
     assert!(
         found.contains("found mru.measured_roll, in rad, allowed: a signal in m, as winch.target_offset"),
@@ -166,7 +166,7 @@ parts: {port: {part: deck.yaml}, starboard: {part: deck.yaml, position_m: [10, 0
 }
 
 #[test]
-fn wired_runs_side_by_side_have_the_rows_that_they_have_alone() {
+fn wired_runs_in_lanes_have_the_rows_of_single_runs() {
     let variant = |speed: f64| {
         let speed = ("bodies.deck.joint.prismatic.mode.prescribed.speed_m_s".to_owned(), speed.into());
         vec![speed, ("simulation.duration_s".to_owned(), 1.0.into())]
@@ -181,7 +181,7 @@ fn wired_runs_side_by_side_have_the_rows_that_they_have_alone() {
 }
 
 #[test]
-fn a_snapshot_carries_what_a_sensor_has_not_shown_yet() {
+fn a_snapshot_contains_the_delayed_values_of_a_sensor() {
     let mut simulation = simulation(&[]);
     simulation.step(37).unwrap();
     let snapshot = simulation.snapshot();

@@ -1,4 +1,4 @@
-//! The water on a lifted object, against formulas by hand: Archimedes, Morison, added mass, slamming.
+//! Forces of water on a lifted object, against hand calculations: Archimedes, Morison, added mass, slamming.
 
 use crate::common;
 
@@ -7,14 +7,14 @@ use common::{simulation, values};
 use kingpost::simulation::Simulation;
 use std::f64::consts::PI;
 
-/// At a height, turned so and at rest.
+/// Returns the frame at a height with this orientation, at rest.
 fn held(height: f64, angles: [f64; 3], shape: &str) -> Simulation {
     // The axis is in the load's axes: upward, as any that does not move.
     let joint = format!("axis: [0, 0, 1], position_m: [0.3, -0.2, {height}], orientation_rad: {angles:?}, mode: held");
     simulation(&lowered(&joint, "", &format!("shape: {shape}"), "step_s: 0.01, duration_s: 1"))
 }
 
-/// Buoyancy over rho g is a volume.
+/// Returns the buoyancy as a volume: divided by rho g.
 fn volume(load: &mut Simulation) -> f64 {
     let force = values(load, "submerged_buoyancy");
     assert!(force[0].abs() + force[1].abs() < 1e-9 * (1.0 + force[2]), "{force:?}");
@@ -22,7 +22,7 @@ fn volume(load: &mut Simulation) -> f64 {
 }
 
 #[test]
-fn a_box_displaces_what_archimedes_says_at_every_cut_and_rights_as_a_wall_sided_body() {
+fn a_box_has_the_buoyancy_of_archimedes_at_every_cut_and_the_righting_of_a_wall_sided_body() {
     for height in [1.2_f64, 0.7, 0.0, -0.4, -0.999, -1.3] {
         let exact = 12.0 * (1.0 - height).clamp(0.0, 2.0);
         let found = volume(&mut held(height, [0.0; 3], BOX));
@@ -69,7 +69,7 @@ fn a_sphere_and_cylinders_displace_their_caps_and_segments() {
     }
 }
 
-/// Lowered at a steady speed from a height.
+/// An object lowered at a constant speed from a height.
 fn lowering(shape: &str, rest: &str, sea: &str, height: f64, step: f64) -> Simulation {
     let joint = format!(
         "axis: [0, 0, 1], position_m: [0, 0, {height}], mode: {{prescribed: {{speed_m_s: -{SPEED}, history: constant}}}}"
@@ -85,7 +85,7 @@ fn hook(load: &mut Simulation) -> f64 {
 }
 
 #[test]
-fn a_box_that_is_lowered_through_still_water_has_the_forces_by_hand() {
+fn a_box_lowered_through_still_water_has_the_forces_of_a_hand_calculation() {
     let rest =
         ", added_mass: {coefficients: [0, 0, 0.9]}, drag: {coefficients: [1, 1, 1.8], linear_N_s_m: [0, 0, 700]}";
     let mut load = lowering(BOX, rest, "", 1.45, 0.05);
@@ -139,9 +139,9 @@ fn the_impulse_of_entry_is_the_added_mass_times_the_speed() {
     }
 }
 
-/// Shares of a box are its depths over its height; a sphere's at the depth d is d^2 (3 R - d) / (4 R^3).
+/// Shares of a box are depth over height; those of a sphere at the depth d are d^2 (3 R - d) / (4 R^3).
 #[test]
-fn growth_over_depths_is_that_over_the_shares_of_the_upright_solid() {
+fn the_growth_of_the_added_mass_over_depth_is_that_of_the_upright_solid() {
     let cap = |depth: f64| depth * depth * (3.0 - depth) / 4.0;
     for (shape, depths, shares, height) in [
         (BOX, "[0, 0.2, 1, 2]", [0.0, 0.1, 0.5, 1.0], 1.1),
@@ -182,7 +182,7 @@ fn a_slamming_coefficient_acts_from_first_contact_to_immersion() {
 }
 
 #[test]
-fn a_box_that_is_lowered_through_a_regular_wave_has_the_forces_by_hand() {
+fn a_box_lowered_through_a_regular_wave_has_the_forces_of_a_hand_calculation() {
     let wave = Wave::new(1.4, 7.5, 0.8);
     let (ca, cd) = (0.9, [1.1, 1.4, 1.8]);
     let rest = format!(", added_mass: {{coefficients: [0.6, 0.5, {ca}]}}, drag: {{coefficients: {cd:?}}}");
@@ -225,7 +225,7 @@ fn a_box_that_is_lowered_through_a_regular_wave_has_the_forces_by_hand() {
 }
 
 #[test]
-fn a_lying_cylinder_in_a_regular_wave_is_slammed_by_the_rate_of_its_segment() {
+fn slamming_on_a_lying_cylinder_in_a_regular_wave_follows_the_rate_of_its_segment() {
     // Along the crests: the slope is square to its axis, and a circle's segment does not know it.
     let wave = Wave::new(1.2, 6.0, -0.4);
     let rest = ", added_mass: {coefficients: [1, 0, 1]}, drag: {coefficients: [0.7, 0, 0.7]}";
@@ -267,7 +267,7 @@ fn a_lying_cylinder_in_a_regular_wave_is_slammed_by_the_rate_of_its_segment() {
 }
 
 #[test]
-fn perforation_takes_from_the_added_mass_what_the_formula_says() {
+fn perforation_reduces_the_added_mass_by_the_formula() {
     for (perforation, left) in
         [(0.0, 1.0), (0.05, 1.0), (0.2, 0.7 + 0.3 * (PI * 15.0 / 34.0).cos()), (0.4, (-30.0_f64 / 28.0).exp())]
     {
@@ -279,7 +279,7 @@ fn perforation_takes_from_the_added_mass_what_the_formula_says() {
 }
 
 #[test]
-fn a_frame_displaces_its_own_volume_and_the_wind_finds_what_is_dry() {
+fn a_frame_displaces_its_member_volume_and_wind_acts_on_its_dry_part() {
     let rest = ", displaced_volume_m3: 3, wind: {coefficients: [1.2, 1, 1], areas_m2: [5, 6, 7], height_m: 10}";
     let text = lowered("axis: [0, 0, 1], mode: held", "", &format!("shape: {BOX}{rest}"), "step_s: 0.1, duration_s: 1");
     let text = text.replace("bodies:", "wind: {speed_m_s: 15, direction_rad: 0, profile: uniform}\nbodies:");

@@ -1,4 +1,4 @@
-//! Mistakes that a person may make with the water on a lifted object: each has an answer at its place.
+//! Mistakes that a user can make with the water forces on a lifted object: each is reported at its place.
 
 use kingpost::scenario::read;
 
@@ -32,7 +32,7 @@ fn refused(from: &str, to: &str) -> String {
 }
 
 #[test]
-fn every_mistake_is_told_at_its_place() {
+fn every_mistake_is_reported_at_its_place() {
     let place = "forces.water.submerged";
     for (from, to, expected) in [
         ("body: load", "body: lode", "body: found lode, allowed: one of load"),
@@ -67,7 +67,7 @@ fn every_mistake_is_told_at_its_place() {
 }
 
 #[test]
-fn what_the_world_lacks_is_told() {
+fn a_missing_part_of_the_world_is_reported() {
     let error = refused("wind: {speed_m_s: 10, direction_rad: 0}\n", "");
     assert!(error.contains("forces.water.submerged.wind: found wind drag, but no wind"), "{error}");
     let error = refused("gravity: {gravity: {}}", "gravity: {gravity: {enabled: false}}");

@@ -1,4 +1,5 @@
-//! How lifted objects move in the water: closed forms, energy and momentum, both forms of the equations, the order of a scheme.
+//! Motions of lifted objects in the water: closed forms, energy and momentum, both forms of the equations,
+//! the order of a scheme.
 
 use crate::common;
 
@@ -9,7 +10,7 @@ use kingpost::scenario::read;
 use std::f64::consts::PI;
 
 #[test]
-fn what_sinks_ends_at_its_terminal_speed() {
+fn a_sinking_body_reaches_its_terminal_speed() {
     let text = lowered(
         "axis: [0, 0, 1], position_m: [0, 0, -10]",
         "",
@@ -24,7 +25,7 @@ fn what_sinks_ends_at_its_terminal_speed() {
 }
 
 #[test]
-fn what_floats_heaves_by_its_waterplane_and_its_added_mass() {
+fn a_floating_body_heaves_with_the_period_of_its_waterplane_and_added_mass() {
     let mass = 0.6 * DENSITY * 24.0;
     let text = lowered(
         "axis: [0, 0, 1]",
@@ -44,7 +45,7 @@ fn what_floats_heaves_by_its_waterplane_and_its_added_mass() {
 }
 
 #[test]
-fn a_deep_body_as_heavy_as_water_goes_round_with_it() {
+fn a_deep_neutrally_buoyant_body_follows_the_orbit_of_the_water() {
     let (wave, radius, depth) = (Wave::new(0.1, 8.0, 0.0), 0.5_f64, 6.0);
     let decay = (-wave.number * depth).exp();
     let (orbit, mass) = (wave.amplitude * decay, DENSITY * PI * 4.0 / 3.0 * radius.powi(3));
@@ -81,7 +82,7 @@ forces:
     assert!(worst < second_order * orbit, "{} of {}", worst / orbit, second_order);
 }
 
-/// A body that is thrown into waves and current, turning.
+/// A body thrown into waves and current, with rotation.
 fn thrown(scheme: &str, step: f64) -> String {
     format!(
         "version: 1
@@ -130,7 +131,7 @@ fn energy_and_momentum_are_kept_by_work_and_heat() {
 }
 
 #[test]
-fn the_water_only_takes_energy_from_what_bobs_in_it() {
+fn the_water_only_takes_energy_from_a_bobbing_body() {
     let text = lowered(
         "axis: [0, 0, 1], position_m: [0, 0, -4]",
         "",
@@ -154,7 +155,7 @@ fn the_water_only_takes_energy_from_what_bobs_in_it() {
 }
 
 #[test]
-fn the_matrices_and_the_recursion_move_it_alike() {
+fn matrices_and_recursion_give_a_submerged_body_the_same_motion() {
     let run = |form: &str| {
         let text = thrown("rk4", 0.02).replace("integrator: rk4", &format!("integrator: rk4, form: {form}"));
         let mut load = simulation(&text);
@@ -166,7 +167,7 @@ fn the_matrices_and_the_recursion_move_it_alike() {
 }
 
 #[test]
-fn it_has_exact_derivatives_in_waves() {
+fn a_submerged_body_has_exact_derivatives_in_waves() {
     common::assert_linearised(&thrown("rk4", 0.01));
 }
 
@@ -192,7 +193,7 @@ fn the_order_of_the_scheme_is_kept_through_the_surface() {
 }
 
 #[test]
-fn a_current_carries_a_body_along_and_heats_what_slips() {
+fn a_current_carries_a_body_along_and_the_slip_becomes_heat() {
     let text = lowered(
         "axis: [1, 0, 0], position_m: [0, 0, -6]",
         "current_m_s: [0.8, 0]",

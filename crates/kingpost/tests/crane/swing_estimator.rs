@@ -1,4 +1,4 @@
-//! A swing estimator: what its filter finds of a swing, and what it does with the errors of its gyroscopes.
+//! Swing estimator: the swing that its filter estimates, and the effect of errors of its gyroscopes.
 
 use crate::common;
 
@@ -40,7 +40,8 @@ sensors:
 
 const GYROS: &str = "sensors.gyros.swing_estimator";
 
-/// Largest distance of roll and pitch from the truth over 60 s after a time, rad, and the largest swing then.
+/// Returns the largest error of roll and pitch over 60 s after a time, rad, and the largest swing in this
+/// time.
 fn largest_error(after_s: f64, changes: &[(&str, Value)]) -> [f64; 2] {
     let mut simulation = with_changes(TEXT, changes).unwrap_or_else(|error| panic!("{error}"));
     simulation.step((after_s / 0.02) as usize).unwrap();
@@ -60,7 +61,7 @@ fn largest_error(after_s: f64, changes: &[(&str, Value)]) -> [f64; 2] {
 /// Checks the error with the stationary gains: it is below a per cent for a steady swing of the assumed period, and a
 /// few per cent for half and twice that period.
 #[test]
-fn it_finds_a_free_swing_with_its_phase_and_size() {
+fn the_estimator_finds_phase_and_amplitude_of_a_free_swing() {
     let [error, swing] = largest_error(300.0, &[]);
     assert!(swing > 0.04 && error < 0.01 * swing, "{error} of {swing}");
     for period_s in [4.5, 18.0] {
@@ -69,7 +70,8 @@ fn it_finds_a_free_swing_with_its_phase_and_size() {
     }
 }
 
-/// The swing keeps its plane while the load turns under it at 3 degrees per second: the states of the filter turn back.
+/// The swing keeps its plane while the load rotates below it at 3 degrees per second: the states of the
+/// filter rotate back.
 #[test]
 fn a_turning_load_does_not_turn_the_swing_in_the_filter() {
     let turning = json!({"travel": {"angle_deg": 1800, "start_s": 5, "duration_s": 600, "ramp_s": 10}});
@@ -79,7 +81,7 @@ fn a_turning_load_does_not_turn_the_swing_in_the_filter() {
 
 /// The pivot starts, travels and stops: the load swings as the acceleration makes it, which no gyroscope measures.
 #[test]
-fn a_swing_that_begins_with_a_travel_is_found_at_once() {
+fn a_swing_caused_by_a_travel_is_estimated_at_once() {
     let still = json!(0);
     let travel = json!({"travel": {"length_m": 20, "start_s": 20, "duration_s": 30, "ramp_s": 6}});
     let [error, swing] = largest_error(
@@ -96,7 +98,7 @@ fn a_swing_that_begins_with_a_travel_is_found_at_once() {
 /// An error of the gyroscopes of 0.1 degrees per second would be 60 degrees in ten minutes. What noise leaves follows from its
 /// integral over the time constant of the filter, about 1e-4 rad.
 #[test]
-fn errors_of_the_gyroscopes_do_not_add_up() {
+fn errors_of_the_gyroscopes_do_not_accumulate() {
     let errors = json!({"bias_rad_s": 1.7e-3, "noise_rad_s": 3e-4});
     let [error, swing] = largest_error(600.0, &[(&format!("{GYROS}.rate_errors"), errors)]);
     assert!(swing > 0.04 && error < 0.015 * swing, "{error} of {swing}");

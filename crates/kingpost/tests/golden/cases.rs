@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 use std::collections::HashMap;
 
-/// One run: what is set, how many steps, and the row of all channels at the end.
+/// A golden run: its settings, number of steps, and the row of all channels at the end.
 #[derive(Debug, PartialEq, Serialize, Deserialize)]
 pub struct Golden {
     pub name: String,
@@ -65,7 +65,7 @@ pub fn compute() -> [(&'static str, Vec<Golden>); 4] {
             json!({"waves": true, "sea.ramp_s": 0, "hydrostatics": "mesh", "wave_direction_deg": 130}),
         ),
     ];
-    // The rope comes taut at 3.8 s, the load slides and leaves the deck, and the step ends at its height.
+    // The rope becomes taut at 3.8 s, the load slides and leaves the deck, and the step ends at its height.
     let lift = [(
         "timeline_until_the_load_is_off",
         500,
@@ -77,7 +77,7 @@ pub fn compute() -> [(&'static str, Vec<Golden>); 4] {
             "operation.steps.1.until.value.above": 4.56,
         }),
     )];
-    // What a hand sets is an operation of one step.
+    // The inputs of the user form an operation of one step.
     let by_hand = [("hoist", -10.0, 1.0), ("hoist", 3.3, 4.05), ("hoist", 0.0, 7.0)];
     let set = by_hand.map(|(input, to, at_s)| json!({"input": input, "to": to, "at_s": at_s}));
     let operation = json!({"steps": [{"name": "by hand", "set": set}]});

@@ -36,12 +36,12 @@ forces:
 }
 
 #[test]
-fn the_linearised_system_is_what_central_differences_say() {
+fn the_linearised_system_agrees_with_central_differences() {
     assert_linearised(&everything("recursive"));
 }
 
 #[test]
-fn so_it_is_with_every_kind_of_joint() {
+fn the_linearised_system_agrees_with_central_differences_for_every_kind_of_joint() {
     assert_linearised(&every_joint());
 }
 
@@ -71,9 +71,10 @@ fn a_lever_is_an_input_of_the_linearised_system() {
     assert!((linear.b[(1, 0)] - 8.0 / 4.0).abs() < 1e-14 && linear.b[(0, 0)] == 0.0);
 }
 
-/// On its head it rests, and falls with `e^(t / T)`, T = sqrt(J / m g l), to what differences find of A; hanging it stays.
+/// Upside down the rod is at rest, and falls with `e^(t / T)`, T = sqrt(J / m g l), to the accuracy of A by
+/// differences; hanging it stays.
 #[test]
-fn an_equilibrium_that_is_not_stable_is_told_with_its_rate_of_growth() {
+fn an_unstable_equilibrium_is_reported_with_its_growth_rate() {
     let settled = |angle: f64| simulation(&scenario(&pendulum(angle))).settle().expect("it rests").instability;
     assert_eq!(settled(0.0), None);
     let Some(Instability::Growth { coordinate, time_s }) = settled(core::f64::consts::PI) else { panic!("it is not") };
@@ -84,7 +85,9 @@ fn an_equilibrium_that_is_not_stable_is_told_with_its_rate_of_growth() {
     let upside_down = pendulum(core::f64::consts::PI) + "simulation: {begin_at_equilibrium: true}\n";
     let error = read(&upside_down, "test.yaml", &[]).expect_err("it would fall").to_string();
     assert!(
-        error.contains("an equilibrium that is not stable: swing moves away from it, by a factor of e every 0.369 s"),
+        error.contains(
+            "an equilibrium that is not stable: a displacement of swing grows by a factor of e every 0.369 s"
+        ),
         "{error}"
     );
 }
@@ -124,8 +127,8 @@ forces:
   gravity: {gravity: {}}
 ";
 
-/// It hangs straight, with its loop closed. About it A takes (1, -1, 1), the only motion that the
-/// loop lets pass, to itself times -(m + M) g L / (2 m L^2 / 3 + M L^2).
+/// The plank hangs straight, with its loop closed. A maps (1, -1, 1), the only motion that the loop allows,
+/// to itself times -(m + M) g L / (2 m L^2 / 3 + M L^2).
 #[test]
 fn a_closed_loop_settles_closed_and_a_keeps_to_its_tangents() {
     let scenario = scenario(SWING);
@@ -162,9 +165,10 @@ drives:
 forces: {gravity: {gravity: {}}}
 ";
 
-/// Shear of short segments is far stiffer than the bending of the whole boom. It rests as if it did not slew.
+/// Shear of short segments is far stiffer than the bending of the whole boom. The boom comes to rest as if it
+/// did not slew.
 #[test]
-fn what_is_stiff_does_not_keep_what_is_soft_from_settling() {
+fn stiff_parts_do_not_prevent_soft_parts_from_settling() {
     let text = include_str!("../../../../scenarios/flexible_boom.yaml");
     let held = [("bodies.post.joint.revolute.mode".to_owned(), json!("held"))];
     let scenario = read(text, "flexible_boom.yaml", &held).expect("the gallery reads");
@@ -178,7 +182,7 @@ fn what_is_stiff_does_not_keep_what_is_soft_from_settling() {
 /// Checks that the length set by a lever is kept, and is a state: with the lever r of the force about the hinge the
 /// boom's acceleration follows the length wanted by k r / J, and that follows the input by the speed.
 #[test]
-fn the_length_that_a_cylinder_wants_is_a_state_that_settling_keeps() {
+fn settling_keeps_the_target_length_of_a_cylinder() {
     let scenario = scenario(CYLINDER);
     let mut simulation = simulation(&scenario);
     simulation.set_input("luffing", 0.5).expect("a lever");
@@ -201,7 +205,7 @@ fn the_length_that_a_cylinder_wants_is_a_state_that_settling_keeps() {
 }
 
 #[test]
-fn what_falls_has_no_equilibrium_and_stays_where_it_was() {
+fn a_falling_body_has_no_equilibrium_and_its_state_is_unchanged() {
     let setup = |gravity: bool| {
         read_paper(&[("hold_centre", json!(false)), ("gravity", json!(gravity)), ("motor_1", json!(false))])
     };
@@ -252,7 +256,7 @@ fn gradients_of_a_run_agree_with_central_differences() {
 /// A mass, a pin of the loop, the cylinder's stiffness and an angle from which the loop is closed first:
 /// the multipliers, the projection of every step and that of the start are differentiated too.
 #[test]
-fn so_they_do_through_a_closed_loop_and_a_cylinder() {
+fn gradients_through_a_closed_loop_and_a_cylinder_agree_with_central_differences() {
     let base = [
         ("drives.slewing.servo.enabled", json!(false)), // at its limit its torque has a kink
         ("bodies.column.joint.revolute.initial_rate_rad_s", json!(0.1)),
@@ -308,7 +312,7 @@ fn a_gradient_without_d_or_without_names_is_refused() {
     assert!(gradient(&read_paper(&[]), &[], |_| true).is_err());
 }
 
-/// Newton's iteration ends where it does whatever the derivatives, within its own tolerance.
+/// Newton's iteration ends at the same solution for any derivatives, within its tolerance.
 #[test]
 fn an_implicit_scheme_makes_the_same_steps_with_exact_derivatives_as_with_differences() {
     for integrator in ["newmark", "generalized_alpha", "implicit_midpoint"] {

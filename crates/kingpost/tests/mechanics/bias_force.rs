@@ -1,5 +1,5 @@
-//! Dual numbers as the oracle of the velocity terms: q moves along v as q + v e, and what carries e
-//! is a rate. They know nothing of R' = R hat(omega), of B' or of the columns' rates.
+//! Velocity terms against dual numbers: q moves along v as q + v e, and the coefficient of e is a rate. Dual
+//! numbers do not use R' = R hat(omega), B' or the columns' rates.
 
 use crate::common;
 
@@ -109,7 +109,7 @@ fn b_dot_times_the_rates_is_the_time_derivative_of_the_velocities() {
 
 /// [N*] {q'} = [B]^T (d/dt ([M] {X'}) + [D] [M] {X'}) where {q''} = 0 (eq. 60b).
 #[test]
-fn the_bias_force_is_what_the_rate_of_momentum_by_dual_numbers_makes_it() {
+fn the_bias_force_agrees_with_the_rate_of_momentum_by_dual_numbers() {
     for seed in 0..TREES {
         let model = tree::<f64>(seed);
         let (q, v) = Random::new(seed + TREES).state(&model);

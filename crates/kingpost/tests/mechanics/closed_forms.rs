@@ -1,4 +1,4 @@
-//! Motions of one coordinate or one body that are known in closed form.
+//! Motions of one coordinate or one body with known closed forms.
 
 use crate::common;
 
@@ -73,7 +73,7 @@ fn assert_ledger_closes(simulation: &mut Simulation, scale: f64) {
 }
 
 #[test]
-fn a_thrown_body_flies_on_a_parabola_and_precesses_as_euler_says() {
+fn a_thrown_body_flies_on_a_parabola_and_precesses_by_eulers_equations() {
     // Symmetric body: omega_x + i omega_y turns in the body at (I_z - I_x) / I_x omega_z
     // (Landau & Lifshitz, Mechanics, 36.6).
     let moments = [2.0, 2.0, 3.0];
@@ -112,7 +112,7 @@ fn a_compound_pendulum_swings_with_the_elliptic_period() {
 }
 
 #[test]
-fn viscous_damping_lets_a_rate_decay_exponentially() {
+fn a_rate_with_viscous_damping_decays_exponentially() {
     let start = (vec![0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0], vec![0.0, 2.0, 0.0, 0.0, 0.0, 3.0]);
     let still = (start.0.clone(), vec![0.0, 2.0, 0.0, 0.0, 0.0, 0.0]);
     let (linear, angular) = (Vector3::new(0.0, 4.0, 0.0), Vector3::new(0.0, 0.0, 5.0));
@@ -147,7 +147,7 @@ fn a_slide_under_a_constant_force_with_friction_reaches_its_terminal_speed() {
 }
 
 #[test]
-fn a_servo_holds_an_arm_up_with_the_droop_of_its_stiffness() {
+fn an_arm_on_a_servo_droops_by_its_weight_over_the_stiffness() {
     // Horizontal arm: k (target - q) = m g l cos(q) at rest; positive about y lowers an arm along x.
     let (mass, length, stiffness) = (10.0, 2.0, 5e4);
     let servo = |limit: f64| -> AnyElement {

@@ -1,5 +1,5 @@
-//! Mechanisms with closed loops: against closed forms and statics, for ten minutes, and where they
-//! cannot go on.
+//! Mechanisms with closed loops: against closed forms and statics, for ten minutes, and at positions where
+//! they cannot continue.
 
 use crate::common;
 
@@ -46,14 +46,14 @@ loops:
     )
 }
 
-/// The difference of two angles, turns left out.
+/// Returns the difference of two angles, without whole turns.
 fn apart(a: f64, b: f64) -> f64 {
     let difference = a - b;
     difference.sin().atan2(difference.cos()).abs()
 }
 
 #[test]
-fn a_crank_at_constant_rate_turns_its_four_bar_as_freudenstein_says() {
+fn a_four_bar_with_a_crank_at_constant_rate_follows_freudensteins_equation() {
     let crank = "initial_angle_rad: 1, mode: {prescribed: {rate_rad_s: 2}}";
     let gravity = "forces: {gravity: {gravity: {}}}";
     for form in ["recursive", "moving_frame"] {
@@ -158,7 +158,7 @@ forces: {gravity: {gravity: {}}}
 }
 
 #[test]
-fn a_stay_carries_what_statics_says_and_the_hinge_the_rest() {
+fn a_stay_carries_its_static_force_and_the_hinge_the_remainder() {
     // A level boom of 4 m and 100 kg hangs on a stay from its tip to 3 m above its hinge: moments
     // about the hinge give F sin(a) l = m g l / 2 with sin(a) = 3/5.
     let text = "
@@ -181,7 +181,7 @@ forces: {gravity: {gravity: {}}}
 }
 
 #[test]
-fn two_ships_that_are_tied_keep_their_common_momentum() {
+fn two_connected_ships_conserve_their_total_momentum() {
     let mut states = Vec::new();
     for form in ["recursive", "moving_frame"] {
         let mut simulation = simulation(&tied_ships(form));
@@ -205,20 +205,20 @@ fn error_of(text: &str) -> String {
 }
 
 #[test]
-fn constraints_that_follow_from_others_are_refused_by_name() {
+fn dependent_constraints_are_refused_by_name() {
     let planar = error_of(&four_bar("initial_angle_rad: 1", "x, y, z", ""));
     assert!(planar.contains("loops.pin.constraints.1: found y, which no free coordinate can change"), "{planar}");
     let twice = error_of(&four_bar("initial_angle_rad: 1", "x, z, x", ""));
-    assert!(twice.contains("loops.pin.constraints.2: found x, which follows from pin.x"), "{twice}");
+    assert!(twice.contains("loops.pin.constraints.2: found x, which depends on pin.x"), "{twice}");
     let held = four_bar("initial_angle_rad: 1, mode: held", "x, z, pitch", "");
     let driven = error_of(&held.replace("start_gap_m: 0.5", "start_gap_m: 3"));
-    assert!(driven.contains("pitch, which follows from pin.x, pin.z"), "{driven}");
+    assert!(driven.contains("pitch, which depends on pin.x, pin.z"), "{driven}");
     let none = error_of(&four_bar("initial_angle_rad: 1", "", ""));
     assert!(none.contains("loops.pin.constraints: found an empty list"), "{none}");
 }
 
 #[test]
-fn a_loop_that_does_not_close_says_by_how_much() {
+fn the_error_of_an_open_loop_contains_its_gap() {
     // The pin on the coupler stands at (cos 1 + 3 cos 0.6, sin 1 + 3 sin 0.6), the rocker's at
     // (3.5 + 2.5 cos 1.8, 2.5 sin 1.8); their way is told in the coupler's axes.
     let wide = four_bar("initial_angle_rad: 1", "x, z", "");
@@ -294,10 +294,10 @@ loops:
     )
 }
 
-/// Everything that the next step depends on is in the state: after a run that ended at a dead centre each way back
-/// gives the bits of a simulation that has not been there.
+/// Everything on which the next step depends is in the state: after a run that ended at a dead centre, a
+/// simulation restored in any way is bitwise identical to one that was never there.
 #[test]
-fn a_dead_centre_leaves_nothing_behind_in_a_simulation_that_is_put_back() {
+fn a_dead_centre_has_no_effect_after_the_simulation_is_restored() {
     for integrator in common::INTEGRATORS {
         let text = slider_crank(integrator, 0.005, "mode: {prescribed: {speed_m_s: 0.5}}", "");
         let mut fresh = simulation(&text);
@@ -324,10 +324,10 @@ fn a_dead_centre_leaves_nothing_behind_in_a_simulation_that_is_put_back() {
     }
 }
 
-/// Dormand-Prince's inner steps go on over the closing of loops after each step: how often the state is asked for hardly
-/// changes how often the rates are, and the motion is the same within the tolerances.
+/// Dormand-Prince's inner steps continue across the closing of loops after each step: the number of output
+/// states hardly changes the number of evaluations, and the motion is equal within the tolerances.
 #[test]
-fn asking_for_the_state_ten_times_as_often_costs_hardly_more_evaluations() {
+fn ten_times_as_many_output_states_need_few_additional_evaluations() {
     let run = |step_s: f64| {
         let settings = format!(
             "{{integrator: dormand_prince, step_s: {step_s}, duration_s: 2, dormand_prince: {{absolute_tolerance: 1.0e-7, relative_tolerance: 1.0e-7, largest_step_s: 0.1}}}}"

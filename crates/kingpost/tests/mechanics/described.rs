@@ -1,13 +1,13 @@
-//! Description of a model by the engine, for those who draw it and write of it.
+//! Description of a model by the engine, for programs that draw it or write about it.
 
 use kingpost::elements::LineStyle;
 use kingpost::scenario::{self, Scenario};
 use kingpost::simulation::Simulation;
 use serde_json::{Value, json};
 
-/// Points that a line of an element is drawn through.
+/// Number of points of a drawn line.
 const POINTS: usize = 49;
-/// A drawn line ends where its ends are but for the last digits, m.
+/// Largest distance of the ends of a drawn line from its true ends, m: the last digits.
 const ROUNDING_M: f64 = 1e-9;
 
 /// A ship that hangs where it is put, with a load on a rope and lines of all kinds; its drawing frame is on its keel.
@@ -87,7 +87,7 @@ fn every_rope_is_drawn_from_end_to_end() {
 
 /// Source: the line's length; the chords of 48 arcs fall short of it by their square, a ten-thousandth here.
 #[test]
-fn a_mooring_line_is_as_long_as_it_is_but_for_its_stretch_and_stays_above_the_seabed() {
+fn a_drawn_mooring_line_has_its_length_except_for_stretch_and_stays_above_the_seabed() {
     for z_m in [0.0, 3.0, -10.0] {
         let mut simulation = with_lines(z_m).simulation().expect("it builds");
         let mut row = Vec::new();
@@ -158,9 +158,9 @@ fn the_inertia_of_solids_is_described() {
     }
 }
 
-/// Source: what hangs together with the world does not fall.
+/// Source: a body that is connected to the world does not fall.
 #[test]
-fn a_body_that_nothing_carries_is_warned_of() {
+fn a_body_without_support_gives_a_warning() {
     let solid = |joint: Value| json!({"mass_kg": 12, "shape": {"sphere": {"radius_m": 1}}, "joint": joint});
     let rope = |first: &str, second: &str| {
         let end = |body: &str| json!({"body": body, "position_m": [0, 0, 0]});

@@ -9,7 +9,7 @@ use kingpost::scenario::read;
 use kingpost::simulation::Simulation;
 use nalgebra::{DMatrix, DVector};
 
-/// Small enough for deflections to be in proportion, m/s^2.
+/// Small enough for deflections to be proportional to loads, m/s^2.
 const GRAVITY: f64 = 1e-4;
 const LENGTH: f64 = 20.0;
 const MASS: f64 = 500.0;
@@ -28,7 +28,7 @@ fn slender() -> Cantilever {
 /// A slender bar that does not shear: its second moments are small beside the square of its area.
 const SLENDER: &str = "{general: {area_m2: 0.01, second_moments_m4: [1.0e-5, 2.0e-5], torsion_constant_m4: 1.0e-5}}";
 
-/// A beam clamped to the world at its start, in a weak gravity, and what else hangs on it.
+/// A beam clamped to the world at its start, in a weak gravity, with additional parts.
 fn clamped(segments: u32, section: &str, more: &str) -> String {
     format!(
         "version: 1
@@ -63,7 +63,7 @@ fn linear(text: &str) -> (Simulation, DVector<f64>, DMatrix<f64>, DMatrix<f64>) 
     (simulation, linear.accelerations(), linear.stiffness(), by_rate)
 }
 
-/// Height of the tip where the beam rests: nothing accelerates.
+/// Returns the height of the tip with the beam at rest: all accelerations are zero.
 fn tip_at_rest(text: &str) -> f64 {
     let (mut simulation, acceleration, by_position, _) = linear(text);
     let rest = by_position.lu().solve(&-acceleration).expect("a beam has a stiffness");
@@ -86,7 +86,7 @@ fn frequencies(segments: u32) -> Vec<f64> {
 }
 
 #[test]
-fn a_weight_at_the_tip_or_at_a_segments_middle_deflects_it_exactly() {
+fn the_deflection_by_a_weight_at_the_tip_or_in_the_middle_of_a_segment_is_exact() {
     // The compliance about the middle of a piece is exact; rounding and the cube of the deflection
     // (1e-7 of the length, squared) are left. A weight at a: w(l) = F a^2 (3 l - a) / 6 E I.
     let exact = slender();
@@ -105,7 +105,7 @@ fn a_weight_at_the_tip_or_at_a_segments_middle_deflects_it_exactly() {
 }
 
 #[test]
-fn its_own_weight_deflects_it_as_euler_and_bernoulli_say() {
+fn the_deflection_by_self_weight_is_that_of_euler_and_bernoulli() {
     let expected = slender().deflection_by_distributed_force(MASS / LENGTH * GRAVITY);
     let errors = [8, 16, 32].map(|n| 1.0 + tip_at_rest(&clamped(n, SLENDER, "")) / expected);
     assert!(errors[1].abs() < 0.005, "{errors:?}");
@@ -117,7 +117,7 @@ fn its_own_weight_deflects_it_as_euler_and_bernoulli_say() {
 }
 
 #[test]
-fn a_stubby_tube_shears_as_timoshenko_says() {
+fn the_shear_deflection_of_a_short_tube_is_that_of_timoshenko() {
     // A round tube with the wall of a bar, 20 m long and 6 m across: shear adds a twentieth.
     let section = "{circular_tube: {outer_diameter_m: 6, wall_m: 0.1}}";
     let (outer, inner): (f64, f64) = (3.0, 2.9);
@@ -139,7 +139,7 @@ fn a_stubby_tube_shears_as_timoshenko_says() {
 }
 
 #[test]
-fn its_first_frequencies_are_those_of_euler_and_bernoulli() {
+fn the_first_frequencies_of_a_beam_are_those_of_euler_and_bernoulli() {
     let exact = [1, 2, 3].map(|mode| slender().frequency(mode));
     let errors = [8, 16, 32].map(|n| {
         let found = frequencies(n);
@@ -174,7 +174,7 @@ fn a_tube_twists_by_its_torsion_constant() {
 }
 
 #[test]
-fn damping_is_in_proportion_to_stiffness() {
+fn damping_is_proportional_to_stiffness() {
     let with = |damping: &str| clamped(4, SLENDER, "").replace("section:", &format!("damping: {damping}, section:"));
     let (_, _, by_position, by_rate) = linear(&with("{stiffness_time: {time_s: 0.01}}"));
     assert!((&by_rate - &by_position * 0.01).amax() < 1e-12 * by_position.amax());
@@ -187,7 +187,7 @@ fn damping_is_in_proportion_to_stiffness() {
 }
 
 #[test]
-fn what_hangs_on_it_hangs_on_the_segment_at_its_place() {
+fn a_load_on_a_flexible_body_hangs_on_the_segment_at_its_position() {
     let more = "  mast: {parent: beam, mass_kg: 10, shape: {point: {}}, joint: {revolute: {axis: [0, 1, 0], position_m: [2.4, 0, 0.5], child_position_m: [0, 0, -1]}}}";
     let mut simulation = simulation(&clamped(4, SLENDER, more));
     let names: Vec<&str> = simulation.model().bodies.iter().map(|body| body.name.as_str()).collect();
@@ -228,7 +228,7 @@ fn refuses(old: &str, new: &str, error: &str) {
 }
 
 #[test]
-fn a_beam_that_is_none_is_refused() {
+fn an_invalid_beam_is_refused() {
     let segments = "bodies.beam.flexible.segments: found 0, allowed: a whole number from 1 to 64";
     refuses("segments: 4", "segments: 0", segments);
     refuses("segments: 4", "segments: 65", &segments.replace("found 0", "found 65"));
@@ -245,7 +245,7 @@ fn a_beam_that_is_none_is_refused() {
 }
 
 #[test]
-fn a_section_that_is_none_is_refused() {
+fn an_invalid_section_is_refused() {
     let kinds = "found \"square_tube\", allowed: one of circular_tube, rectangular_tube, general";
     refuses("circular_tube:", "square_tube:", kinds);
     let wall = "section.circular_tube.wall_m: found 0.3, allowed: at most half of the outer diameter";
@@ -256,9 +256,9 @@ fn a_section_that_is_none_is_refused() {
 }
 
 #[test]
-fn a_beam_with_what_it_cannot_have_is_refused() {
+fn a_beam_with_unsupported_fields_is_refused() {
     let inertia =
-        "bodies.beam.inertia: found an inertia of a flexible body, allowed: none: its section and length give it";
+        "bodies.beam.inertia: found an inertia of a flexible body, allowed: none: it follows from section and length";
     refuses("mass_kg: 500", "mass_kg: 500\n    inertia: {radii_of_gyration: {radii_m: [1, 1, 1]}}", inertia);
     let root = "joint.fixed.child_position_m.0: found 10, \
                 allowed: -10 to -7.5: the joint of a flexible body is in its first segment";

@@ -1,4 +1,4 @@
-//! The formulas of B and B' by blocks: equal to the matrices in numbers, and as the paper has them.
+//! Formulas of the blocks of B and B': equal to the matrices in value, and with the form in the paper.
 
 use crate::common;
 
@@ -32,9 +32,10 @@ fn the_formulas_of_b_and_its_rate_have_the_values_of_the_matrices() {
     }
 }
 
-/// Random vectors lie along no axis; here those do that the formulas leave out.
+/// Random vectors are not along an axis; here the vectors whose zero terms the formulas omit are along an
+/// axis.
 #[test]
-fn what_lies_along_an_axis_is_left_out_of_the_formulas_and_not_missed() {
+fn formulas_without_the_zero_terms_of_axes_have_the_correct_values() {
     for mut simulation in [paper_simulation(), common::simulation(&common::everything("recursive"))] {
         simulation.step(200).expect("a run of a fifth of a second");
         let (state, model) = (simulation.state(), simulation.model());
@@ -82,7 +83,7 @@ fn the_papers_b_has_the_corrected_blocks_of_eq_46() {
 }
 
 #[test]
-fn the_motors_stand_in_f_with_their_reactions_as_in_eq_59() {
+fn f_contains_the_motors_with_their_reactions_as_in_eq_59() {
     let f = formulas(&paper(), Naming::Names)("F");
     let moments: Vec<&str> = f.blocks.iter().skip(1).step_by(2).map(|row| row[0].as_str()).collect();
     let (ship, tower, arm) = (r"\mathrm{ship}", r"\mathrm{tower}", r"\mathrm{arm}");

@@ -40,7 +40,7 @@ fn state(simulation: &Simulation) -> [f64; 2] {
 }
 
 #[test]
-fn a_gas_that_expands_gives_the_piston_the_work_of_a_polytropic_change_of_state() {
+fn an_expanding_gas_does_the_work_of_a_polytropic_process_on_the_piston() {
     // Cengel & Boles, Thermodynamics, 7th ed., eqs 4-9 and 4-10. The exponents near 1 are on both sides of the series.
     for exponent in [1.0, 1.0 + 1e-9, 1.0 + 1e-4, 1.2, 1.4, 2.0] {
         let mut simulation = simulation(&piston(exponent, ""));

@@ -48,7 +48,7 @@ fn slide(mode: MotionType, elements: Vec<AnyElement>, q: f64, v: f64) -> Setup {
     }
 }
 
-/// Steps on by a time and checks that energy and heat are accounted for to `tolerance`, J.
+/// Continues for a time and checks that energy and heat balance to `tolerance`, J.
 fn run(simulation: &mut Simulation, seconds: f64, tolerance: f64) -> (f64, f64) {
     simulation.step((seconds / STEP_S).round() as usize).unwrap();
     let error = values(simulation, "energy_error")[0].abs();
@@ -68,7 +68,7 @@ fn a_mass_on_a_spring_swings_about_its_rest_as_a_cosine() {
 }
 
 #[test]
-fn a_stop_gives_back_the_speed_that_hunt_and_crossley_derive() {
+fn the_rebound_speed_from_a_stop_is_that_of_hunt_and_crossley() {
     // m d'' = -k d (1 + a d') integrates once: with h(u) = u / a - ln(1 + a u) / a^2 the speed in, u,
     // and the speed out, e u, hold h(u) = h(-e u).
     let (stiffness, dissipation) = (3e4, 0.5);
@@ -105,7 +105,7 @@ fn a_stop_never_pulls() {
 }
 
 #[test]
-fn coulomb_friction_slows_a_slide_as_its_smoothed_law_integrates() {
+fn a_slide_with_coulomb_friction_follows_the_integral_of_the_smoothed_law() {
     // m v' = -T v / sqrt(v^2 + s^2) integrates to G(v) = G(v0) - T t / m with
     // G(v) = sqrt(v^2 + s^2) + s ln(v / (s + sqrt(v^2 + s^2))).
     let (friction, smoothing, start) = (6.0, 0.05, 2.0);

@@ -1,5 +1,5 @@
-//! Every kind of joint as a scenario writes it: against motions known in closed form, against other
-//! joints that must move alike, and each mistake refused.
+//! Every kind of joint in a scenario: against motions with known closed forms, against other joints with
+//! equal motion, and errors for each mistake.
 
 use crate::common;
 
@@ -10,7 +10,7 @@ const GRAVITY: f64 = 9.80665;
 const BODY: &str =
     "mass_kg: 3, inertia: {tensor: {moments_kg_m2: [0.4, 0.6, 0.9], products_kg_m2: [0.05, -0.1, 0.02]}}";
 
-/// A body on a joint, with gravity and what else.
+/// A body on a joint, with gravity and other elements.
 fn one_body(joint: &str, more: &str) -> String {
     format!("version: 1\ntitle: One body\nbodies: {{body: {{{BODY}, joint: {joint}}}}}\n{more}\n")
 }
@@ -61,7 +61,7 @@ fn a_held_ball_joint_is_a_fixed_joint() {
 }
 
 #[test]
-fn a_universal_joint_is_two_hinges_with_next_to_nothing_between_them() {
+fn a_universal_joint_equals_two_hinges_with_a_nearly_massless_body_between_them() {
     let rest = "position_m: [0, 0, 1]";
     let whole = one_body(
         &format!(
@@ -101,7 +101,7 @@ fn a_rod_in_a_vertical_sleeve_falls_and_spins_on() {
 }
 
 #[test]
-fn a_puck_glides_straight_on_and_turns_on_whatever_the_lever() {
+fn a_puck_glides_straight_and_spins_steadily_for_any_reference_point() {
     // Drawn by a point of its rim, the centre of mass still goes straight on a level deck.
     let text = one_body(
         "{planar: {normal: [0, 0, 1], x_axis: [0, 1, 0], child_position_m: [0.4, 0.1, 0], x: {initial_speed_m_s: 2}, \
@@ -158,7 +158,7 @@ fn stops_keep_a_hinge_within_its_limits_and_the_ledger_closes() {
     assert!(values(&mut simulation, "energy_error")[0].abs() < 1e-3 * energy);
 }
 
-/// The error of a body's joint, without the place.
+/// Returns the error of a body's joint, without its place.
 fn refusal(joint: &str, more: &str) -> String {
     let text = one_body(joint, more);
     let error = read(&text, "x.yaml", &[]).and_then(|s| s.setup().map(drop)).expect_err("this should be refused");
@@ -167,7 +167,7 @@ fn refusal(joint: &str, more: &str) -> String {
 }
 
 #[test]
-fn limits_that_cross_or_are_missing_are_refused() {
+fn a_lower_limit_above_the_upper_and_missing_limits_are_refused() {
     assert_eq!(
         refusal("{revolute: {axis: [0, 0, 1], limits: {lower_rad: 1, upper_rad: 1, stiffness_N_m_per_rad: 9}}}", ""),
         "bodies.body.joint.revolute.limits.lower_rad: found 1, allowed: less than upper_rad, 1"
@@ -217,7 +217,7 @@ fn constants_out_of_range_are_refused() {
 }
 
 #[test]
-fn rates_of_what_is_held_are_refused() {
+fn rates_of_held_coordinates_are_refused() {
     let allowed = "allowed: 0, for a coordinate that is held or prescribed";
     assert_eq!(
         refusal("{planar: {normal: [0, 0, 1], x_axis: [1, 0, 0], y: {mode: held, initial_speed_m_s: 1}}}", ""),
@@ -238,7 +238,7 @@ fn rates_of_what_is_held_are_refused() {
 }
 
 #[test]
-fn a_drive_on_an_axis_of_the_other_sort_or_of_none_is_refused() {
+fn a_drive_on_an_axis_of_the_other_kind_or_without_an_axis_is_refused() {
     let rod = "{cylindrical: {name: rod, axis: [1, 0, 0]}}";
     for (drive, allowed) in [
         ("motor: {joint: rod.translation, torque_N_m: 1}", "one of rod.rotation"),
@@ -252,7 +252,7 @@ fn a_drive_on_an_axis_of_the_other_sort_or_of_none_is_refused() {
 }
 
 #[test]
-fn a_coordinate_that_moves_no_mass_is_named_unless_a_rotor_makes_up_for_it() {
+fn a_coordinate_that_moves_no_mass_is_named_unless_it_has_a_rotor() {
     let text = |joint: &str| {
         format!("version: 1\ntitle: x\nbodies: {{bob: {{mass_kg: 1, shape: {{point: {{}}}}, joint: {joint}}}}}\n")
     };

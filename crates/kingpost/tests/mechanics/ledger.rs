@@ -1,4 +1,4 @@
-//! Energy and momentum are accounted for to the order of the scheme.
+//! Energy and momentum balance to the order of the scheme.
 
 use crate::common;
 

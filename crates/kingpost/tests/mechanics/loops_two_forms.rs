@@ -151,7 +151,7 @@ fn the_second_derivative_of_the_constraints_agrees_with_differences_of_the_first
 }
 
 #[test]
-fn joints_carry_what_the_loops_put_on_them() {
+fn joint_loads_include_the_forces_of_loops() {
     for seed in 0..100 {
         let mut case = Case::new(seed);
         case.solver.apply(&case.model, &case.links, &mut case.loads);

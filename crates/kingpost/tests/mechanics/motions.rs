@@ -1,6 +1,6 @@
-//! Motions and efforts that begin, hold and stop where the scenario says: closed forms. A rate that is
-//! piecewise linear in time is integrated exactly by RK4, whose steps end where the pieces do, so that
-//! what is left is rounding.
+//! Motions and drive forces that start, hold and stop as the scenario specifies: closed forms. A rate that is
+//! piecewise linear in time is integrated exactly by RK4, whose steps end where the pieces do, so that the
+//! remaining error is rounding.
 
 use crate::common;
 use crate::common::gallery_files;
@@ -42,7 +42,7 @@ fn near(found: f64, expected: f64) {
 }
 
 #[test]
-fn a_slew_by_an_angle_begins_when_it_should_and_ends_there() {
+fn a_slew_by_an_angle_starts_at_its_time_and_ends_at_the_angle() {
     let slew = "initial_angle_deg: 180, mode: {travel: {angle_deg: -90, start_s: 3.3, duration_s: 20.1, ramp_s: 4.7}}";
     let hoist = "mode: {travel: {length_m: 13, duration_s: 30, ramp_s: 15}}";
     for integrator in ["rk4", "dormand_prince", "implicit_midpoint"] {
@@ -66,7 +66,7 @@ fn a_slew_by_an_angle_begins_when_it_should_and_ends_there() {
 }
 
 #[test]
-fn a_pulse_without_a_reverse_stops_after_its_way() {
+fn a_pulse_without_a_reverse_stops_after_its_distance() {
     let slew = "mode: {prescribed: {rate_deg_s: -3, history: pulse, pulse: {start_s: 2.5, rise_s: 5, hold_s: 25}}}";
     let hoist = "mode: {prescribed: {speed_m_s: 0.5, history: pulse, pulse: {rise_s: 2, hold_s: 24, reverse_s: 0}}}";
     let mut simulation = simulation(&turntable(slew, hoist));
@@ -79,10 +79,10 @@ fn a_pulse_without_a_reverse_stops_after_its_way() {
 }
 
 #[test]
-fn a_list_of_times_and_rates_moves_by_its_area() {
+fn the_motion_by_a_list_of_times_and_rates_is_its_area() {
     let slew = "mode: {prescribed: {rate_deg_s: 2, history: list,
       list: {time_s: [5, 8, 20, 23, 30, 31, 40], share: [0, 1, 1, 0, 0, -0.5, 0]}}}";
-    // It begins at once at full speed, and goes on at a tenth.
+    // The motion starts at once at full speed, and continues at a tenth of it.
     let hoist = "mode: {prescribed: {speed_m_s: 0.5, history: list, list: {time_s: [0, 10, 12], share: [1, 1, 0.1]}}}";
     let mut simulation = simulation(&turntable(slew, hoist));
     assert_eq!(simulation.state().v, [0.0, 0.5]);
@@ -118,7 +118,7 @@ fn error_of(slew: &str) -> String {
 }
 
 #[test]
-fn motions_that_no_joint_can_make_are_refused() {
+fn invalid_motions_of_joints_are_refused() {
     let list =
         |points: &str| error_of(&format!("mode: {{prescribed: {{rate_deg_s: 2, history: list, list: {points}}}}}"));
     let cases = [
@@ -155,9 +155,9 @@ fn motions_that_no_joint_can_make_are_refused() {
     }
 }
 
-/// The way of a travel, and of a list along a share, are linear in them: derivatives are exact.
+/// The distance of a travel, and of a list with a share, is linear in these numbers: derivatives are exact.
 #[test]
-fn ways_and_shares_have_derivatives_and_times_have_none() {
+fn distances_and_shares_have_derivatives_and_times_do_not() {
     let slew = "mode: {travel: {angle_rad: 1.2, duration_s: 8, ramp_s: 2}}";
     let hoist = "mode: {prescribed: {speed_m_s: 0.5, history: list, list: {time_s: [1, 3, 7], share: [0, 1, 0]}}}";
     let scenario = read(&turntable(slew, hoist), "test.yaml", &[]).expect("it reads");
@@ -183,7 +183,7 @@ fn ways_and_shares_have_derivatives_and_times_have_none() {
 /// Checks the texts of the gallery about their cranes: to port is 90 degrees, and the others turn by the area of their
 /// pulse.
 #[test]
-fn the_cranes_of_the_gallery_stop_where_their_texts_say() {
+fn the_cranes_of_the_gallery_stop_at_the_positions_in_their_descriptions() {
     let cases = [
         ("barge.yaml", FRAC_PI_2, 32.0),
         ("offshore_vessel.yaml", FRAC_PI_2, 66.0),

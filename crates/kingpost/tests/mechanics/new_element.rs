@@ -1,4 +1,4 @@
-//! A kind of element that only this file knows has everything that those of the engine have.
+//! A kind of element that is defined only in this file has all functions of the engine's elements.
 
 use kingpost::analysis::Linearizer;
 use kingpost::batch::{Batch, Built, run_built};
@@ -18,8 +18,9 @@ use std::{env, fs};
 
 const TEXT: &str = include_str!("../../../../scenarios/paper.yaml");
 
-/// A governor of the slew: its state is the rate behind a first-order lag; each tick samples the largest lagged rate so far;
-/// where the lagged rate passes a limit it latches, and brakes from then on. An input pushes.
+/// A governor of the slew. Its state is the rate after a first-order lag; each sample stores the largest
+/// lagged rate so far; if the lagged rate exceeds a limit, the governor latches, and brakes from then on. An
+/// input applies a torque.
 #[derive(Clone, Debug)]
 struct Governor<S> {
     coordinate: usize,
@@ -139,7 +140,7 @@ fn governed(limit: f64, scheme: SchemeName) -> Setup {
     setup
 }
 
-/// The slew passes 3 rad/s behind its lag within half a second.
+/// The lagged slew rate exceeds 3 rad/s within half a second.
 const LIMIT: f64 = 3.0;
 
 const SCHEMES: [SchemeName; 8] = [
@@ -156,7 +157,7 @@ const SCHEMES: [SchemeName; 8] = [
 /// The time of the event under every scheme is that of a fine run, to a share that the coarsest scheme allows: of order 1
 /// in steps of 2 ms, errors of some 2 % of half a second.
 #[test]
-fn it_runs_under_every_scheme_and_its_event_is_in_the_table() {
+fn a_new_element_runs_under_every_scheme_and_its_event_is_in_the_table() {
     let event = |scheme, step_s: f64| {
         let mut setup = governed(LIMIT, scheme);
         setup.settings.step_s = step_s;
@@ -195,8 +196,9 @@ fn its_columns_are_published_with_their_units() {
 
 const CHANNELS: &str = "tests/golden/new_element.channels.json";
 
-/// The tests of the Python package and of the app read the same file: what an element declares reaches their tables, plots
-/// and files without their knowing of it. With `KINGPOST_WRITE_GOLDEN` set this writes it.
+/// The tests of the Python package and of the app read the same file: the declarations of an element reach
+/// their tables, plots and files without code for this element. With `KINGPOST_WRITE_GOLDEN` set, this test
+/// writes the file.
 #[test]
 fn its_table_of_channels_is_the_one_that_the_views_are_tested_with() {
     let simulation = Simulation::new(governed(LIMIT, SchemeName::RungeKutta4));
@@ -212,9 +214,10 @@ fn its_table_of_channels_is_the_one_that_the_views_are_tested_with() {
     assert!(text == written, "{CHANNELS} has drifted; run: {command}");
 }
 
-/// Checks that it warns of the rows that are written: the largest of its column, and the time of that row.
+/// Checks that the warning is for the rows that are written: the largest value of the column, and the time of
+/// that row.
 #[test]
-fn its_warnings_are_those_of_the_run_and_begin_anew_with_it() {
+fn the_warnings_of_a_new_element_belong_to_the_run_and_restart_with_it() {
     let mut simulation = Simulation::new(governed(LIMIT, SchemeName::RungeKutta4));
     assert!(simulation.warnings().is_empty());
     let run = simulation.run(|_| true);
@@ -254,7 +257,7 @@ fn row(simulation: &mut Simulation) -> Vec<u64> {
     row.into_iter().map(f64::to_bits).collect()
 }
 
-/// `x' = (v - x) / T` and `M a = u` stand in A and B by the element's own names.
+/// A and B contain `x' = (v - x) / T` and `M a = u` under the element's names.
 #[test]
 fn its_state_and_input_are_in_a_and_b() {
     let simulation = Simulation::new(governed(LIMIT, SchemeName::RungeKutta4));
@@ -305,9 +308,9 @@ fn bits(run: &Run) -> Vec<u64> {
     run.rows.iter().map(|x| x.to_bits()).collect()
 }
 
-/// In lanes as long as nothing happens, and alone from the step that an event is in: some of these never latch.
+/// The runs are in lanes until an event occurs, and alone from the step of the event on: some never latch.
 #[test]
-fn it_runs_in_lanes_and_in_a_batch_with_the_bits_that_it_has_alone() {
+fn a_new_element_in_lanes_and_in_a_batch_is_bitwise_identical_to_a_single_run() {
     for limits in [vec![2.0, 2.5, 3.0, 90.0, 91.0, 92.0, 93.0], vec![80.0, 90.0, 91.0, 92.0]] {
         let setups = limits.iter().map(|limit| governed(*limit, SchemeName::RungeKutta4)).collect();
         let built = Limits { scenario: scenario(), setups, limits };

@@ -1,5 +1,5 @@
-//! Runs of random trees with every kind of joint: energy and momentum are accounted for, and both
-//! forms of the equations make the same run.
+//! Runs of random trees with every kind of joint: energy and momentum balance, and both forms of the
+//! equations give the same run.
 
 use crate::common;
 

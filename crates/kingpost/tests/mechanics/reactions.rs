@@ -45,7 +45,7 @@ fn a_held_boom_has_its_cantilever_moment_at_the_hinge() {
 }
 
 #[test]
-fn a_pedestal_hands_everything_to_the_world() {
+fn a_pedestal_transmits_all_loads_to_the_world() {
     let moment = -(100.0 * 2.0 + 50.0 * 4.0) * GRAVITY;
     assert_close(at_rest()[0], [0.0, 0.0, 1150.0 * GRAVITY, 0.0, moment, 0.0]);
 }
@@ -111,7 +111,7 @@ fn reactions_and_weight_account_for_the_motion_of_every_body_on_every_joint() {
 }
 
 #[test]
-fn a_joint_carries_along_its_own_axes_what_acts_in_them_and_nothing_else() {
+fn the_joint_load_along_a_joints_axes_is_the_force_in_these_axes() {
     let mut simulation = simulation(&every_joint());
     simulation.step(2000).unwrap();
     let reactions = vectors(&mut simulation, "joint_reaction");

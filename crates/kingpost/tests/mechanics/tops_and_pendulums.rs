@@ -56,7 +56,7 @@ const TWISTS: [[f64; 3]; 5] =
     [[0.02, 3.0, 0.01], [0.01, -3.0, 0.02], [3.0, 0.4, -0.3], [-0.5, 0.3, -3.0], [1.0, 1.0, 1.0]];
 
 #[test]
-fn a_free_body_turns_by_jacobis_elliptic_functions() {
+fn a_free_body_rotates_by_jacobis_elliptic_functions() {
     let moments = [1.0, 2.0, 2.5];
     for rates in TWISTS {
         let exact = FreeBody::new(moments, rates);
@@ -89,7 +89,7 @@ fn after_a_period_a_free_body_has_turned_about_its_angular_momentum_by_landaus_a
 }
 
 #[test]
-fn the_racket_flips_with_the_period_of_the_elliptic_integral() {
+fn a_racket_flips_with_the_period_of_the_elliptic_integral() {
     // Measured without knowing the period: from one rise of the intermediate rate through 0 to the
     // next, each between two steps by the cubic through rates and accelerations, of order 4 as the scheme.
     let (moments, rates) = ([1.0, 2.0, 2.5], [0.02, 3.0, 0.01]);
@@ -125,7 +125,7 @@ fn zero_between(from: (f64, f64, f64), to: (f64, f64, f64)) -> f64 {
     from.0 + lower * h
 }
 
-/// Mount that a top stands on and a pendulum hangs from.
+/// Joint on which a top stands or a pendulum hangs.
 #[derive(Clone, Copy, Debug)]
 enum Mount {
     /// Euler's hinges: about the vertical, about the level, of a top also about its own axis. The point
@@ -150,7 +150,7 @@ fn leaning(found: &Simulation, mount: Mount) -> [f64; 2] {
 }
 
 impl Mount {
-    /// How far apart two angles about the vertical are; hinges count turns, a ball does not.
+    /// Returns the difference of two angles about the vertical; hinges count turns, a ball does not.
     fn apart(self, a: f64, b: f64) -> f64 {
         let difference = a - b;
         match self {

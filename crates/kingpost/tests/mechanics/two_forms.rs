@@ -26,7 +26,8 @@ fn free_part(model: &Model, all: &[f64]) -> Vec<f64> {
     model.free_coordinates().into_iter().map(|i| all[i]).collect()
 }
 
-/// Returns the loads without outside wrenches, forces or prescribed accelerations; the added inertia stays.
+/// Returns the loads without external wrenches, forces or prescribed accelerations; the added inertia is
+/// kept.
 fn only_inertia(model: &Model, loads: &Loads) -> Loads {
     Loads { added_inertia: loads.added_inertia.clone(), ..Loads::new(model) }
 }

@@ -1,4 +1,5 @@
-//! A scenario that is built once: what is made of it equals, to the bit, what a scenario that is built anew gives.
+//! A scenario that is built once: its simulations and analyses are bitwise identical to those of a scenario
+//! that is built again.
 
 use crate::common::gallery_files::{files, scenario, text};
 use kingpost::analysis::{Linearizer, gradient};
@@ -19,7 +20,7 @@ const CASES: [(&str, &str); 4] =
     [("paper", "rk4"), ("paper", "generalized_alpha"), ("barge", "rk4"), ("lowering_by_winch", "dormand_prince")];
 
 #[test]
-fn simulations_of_one_setup_are_those_of_a_new_one() {
+fn simulations_of_a_reused_setup_equal_those_of_a_new_setup() {
     for (name, integrator) in CASES {
         let set = [(SHORT.0, json!(SHORT.1)), ("simulation.integrator", json!(integrator))];
         let built = built(name, &set);
@@ -36,7 +37,7 @@ fn simulations_of_one_setup_are_those_of_a_new_one() {
 }
 
 #[test]
-fn descriptions_and_analyses_of_one_setup_are_those_of_a_new_one() {
+fn descriptions_and_analyses_of_a_reused_setup_equal_those_of_a_new_setup() {
     let (built, anew) = (built("barge", &[("waves", json!(true))]), scenario("barge", &[("waves", json!(true))]));
     let mut moving = built.simulation().expect("it builds");
     moving.step(30).expect("it steps");
@@ -51,7 +52,7 @@ fn descriptions_and_analyses_of_one_setup_are_those_of_a_new_one() {
 }
 
 #[test]
-fn a_gradient_of_one_setup_is_that_of_a_new_one() {
+fn a_gradient_of_a_reused_setup_equals_that_of_a_new_setup() {
     let set = [(SHORT.0, json!(SHORT.1))];
     let names = ["crane_x_m", "bodies.ship.mass_kg"];
     let found = built("paper", &set).gradient(&names, |_| true).expect("it has derivatives");
@@ -61,7 +62,7 @@ fn a_gradient_of_one_setup_is_that_of_a_new_one() {
 }
 
 #[test]
-fn a_parameter_that_is_set_in_one_simulation_stays_in_it() {
+fn a_parameter_set_in_one_simulation_does_not_change_another() {
     let set = [(SHORT.0, json!(SHORT.1)), ("waves", json!(true))];
     let built = built("barge", &set);
     let (mut one, mut other) = (built.simulation().expect("it builds"), built.simulation().expect("it builds"));

@@ -1,4 +1,4 @@
-//! Files and snapshots that are damaged: none makes the engine panic, and no damage to a snapshot goes unseen.
+//! Damaged files and snapshots: none makes the engine panic, and all damage to a snapshot is detected.
 
 use crate::common::paper_text;
 
@@ -13,10 +13,11 @@ use std::sync::LazyLock;
 
 const SPHERE: &str = include_str!("../../../../scenarios/hydro/sphere.hydro.json");
 const RAOS: &str = include_str!("../../../../scenarios/hydro/supply_boat.raos.csv");
-/// The longest text that an error may be.
+/// Largest length of an error.
 const LONGEST: usize = 2_000;
 
-/// Snapshots of a run whose integrator keeps something between steps, and of one whose does not.
+/// Snapshots of a run whose integrator has a memory from step to step, and of a run whose integrator has
+/// none.
 fn run(integrator: &str) -> Simulation {
     let settings = [&format!("simulation.integrator={integrator}") as &str, "simulation.duration_s=1"];
     let mut simulation = set(&settings).simulation().unwrap();
@@ -60,7 +61,7 @@ fn damaged(text: &'static str) -> impl Strategy<Value = String> {
     })
 }
 
-/// The largest place up to this one where a character begins.
+/// Returns the largest index up to this one at which a character starts.
 fn floor(text: &str, place: usize) -> usize {
     (0..=place.min(text.len())).rev().find(|&at| text.is_char_boundary(at)).unwrap_or(0)
 }
@@ -70,7 +71,7 @@ fn check_words(error: &str) {
 }
 
 #[test]
-fn every_flipped_bit_of_a_snapshot_is_seen() {
+fn every_flipped_bit_of_a_snapshot_is_detected() {
     for integrator in ["rk4", "dormand_prince"] {
         let mut simulation = run(integrator);
         let (bytes, state) = (simulation.snapshot(), simulation.state().clone());
@@ -86,7 +87,7 @@ fn every_flipped_bit_of_a_snapshot_is_seen() {
 
 proptest! {
     #[test]
-    fn no_bytes_restore_but_those_of_a_snapshot(
+    fn only_the_bytes_of_a_snapshot_restore(
         start in 0..4_000_usize, length in 0..40_usize, new in prop::collection::vec(any::<u8>(), 0..40),
     ) {
         static RUN: LazyLock<(Simulation, Vec<u8>)> = LazyLock::new(|| {
@@ -129,7 +130,7 @@ proptest! {
     }
 
     #[test]
-    fn a_long_text_makes_no_long_error(letter in "[a-z\\[{é]", count in 1_000..20_000_usize) {
+    fn the_error_of_a_long_text_is_short(letter in "[a-z\\[{é]", count in 1_000..20_000_usize) {
         let long = letter.repeat(count);
         let files = Files::new([("long.csv".to_owned(), long.clone())]);
         for text in [

@@ -1,4 +1,4 @@
-//! Scenarios over dual numbers: what a name derives, and what has no derivative.
+//! Scenarios over dual numbers: names with and without a derivative.
 
 use crate::common::paper_text::set;
 
@@ -18,7 +18,7 @@ fn a_unit_in_a_path_is_a_factor_of_the_derivative() {
 }
 
 #[test]
-fn what_has_no_derivative_is_refused_by_name() {
+fn a_number_without_a_derivative_is_refused_by_name() {
     assert_eq!(
         refusal("motor_1"),
         "motor_1: found no number, allowed: a parameter, or the path of a number, that moves the model continuously"

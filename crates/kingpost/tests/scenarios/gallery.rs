@@ -1,4 +1,4 @@
-//! Every scenario of the gallery reads, runs to its end and accounts for its energy and momentum.
+//! Every scenario of the gallery reads, runs to its end, and its energy and momentum balance.
 
 use crate::common::gallery_files;
 
@@ -11,7 +11,7 @@ fn gallery() -> Vec<(String, Scenario)> {
 }
 
 #[test]
-fn every_scenario_says_what_it_is() {
+fn every_scenario_has_a_title_and_a_description() {
     for (name, scenario) in gallery() {
         assert!(!scenario.title.is_empty() && scenario.title.len() <= 60, "{name}: a title of one short line");
         assert!(scenario.description.len() >= 80, "{name}: a description that says what to look at");
@@ -36,8 +36,8 @@ fn every_scenario_runs_to_its_end_and_its_ledger_closes() {
     gallery().iter().for_each(|(name, scenario)| assert_runs_to_its_end(name, scenario));
 }
 
-/// Checks the steps that the gallery chooses: errors below 1e-4 of what is in play. Momentum is put beside energy over
-/// the fastest rate: in a closed system its sum may be 0 while all its parts are large.
+/// Checks the steps that the gallery uses: errors are below 1e-4 of the energy in play. Momentum is compared
+/// with energy over the fastest rate: in a closed system its sum can be 0 while all its parts are large.
 #[track_caller]
 fn assert_runs_to_its_end(name: &str, scenario: &Scenario) {
     let mut simulation = Simulation::new(scenario.setup().unwrap());

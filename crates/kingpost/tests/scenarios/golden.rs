@@ -7,7 +7,7 @@ mod cases;
 use cases::Golden;
 
 #[test]
-fn golden_runs_come_out_bit_for_bit() {
+fn golden_runs_are_bitwise_identical() {
     for (scenario, computed) in cases::compute() {
         let path = format!("{}/tests/golden/{scenario}.json", env!("CARGO_MANIFEST_DIR"));
         let text = std::fs::read_to_string(path).expect("the file is there");

@@ -1,4 +1,4 @@
-//! Scenarios whose numbers are moved one by one, with the files that they name.
+//! Scenarios whose numbers are changed one by one, with the files that they name.
 
 use kingpost::scenario::{Files, Host};
 use std::borrow::Cow;

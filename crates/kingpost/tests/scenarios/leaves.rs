@@ -1,5 +1,5 @@
-//! Every number of a scenario goes from the file to the last formula: in a batch each run has its own, and a gradient is the
-//! derivative. What cannot is refused by name.
+//! Every number of a scenario reaches all formulas: in a batch it can differ between runs, and a gradient is
+//! its derivative. A number for which this is not possible is refused by name.
 
 use crate::leaf_cases::{Case, gallery};
 
@@ -49,12 +49,12 @@ fn leaves(value: &Value, path: &str, into: &mut Vec<(String, f64, bool)>) {
     }
 }
 
-/// Every eighth number stands for its kind by default; each takes the building of five models.
+/// By default every eighth number represents its kind; each requires five models to be built.
 fn stride() -> usize {
     if env::var("KINGPOST_LANE").as_deref() == Ok("thorough") { 1 } else { 8 }
 }
 
-/// How far a number is moved: derivatives are compared at this step and at twice it.
+/// Change of a number: derivatives are compared at this step and at twice this step.
 fn step_of(value: f64, whole: bool) -> f64 {
     if whole { 1.0 } else { 1e-4 * value.abs().max(0.1) }
 }
@@ -132,7 +132,7 @@ fn moved(case: &Case, [start, every]: [usize; 2], failures: &mut Vec<String>) ->
     all
 }
 
-/// Fields that decide how a run is made up: no derivative follows them.
+/// Fields that determine the structure of a run: no derivative exists.
 const STRUCTURE: [&str; 49] = [
     "simulation.",
     ".pulse.",
@@ -185,7 +185,8 @@ const STRUCTURE: [&str; 49] = [
     "sea.depth_m",
 ];
 
-/// Gradients along leaves; a structural leaf without one is told by its name.
+/// Checks gradients with respect to leaves; the error of a structural leaf without a gradient contains its
+/// name.
 fn check_gradients(case: &Case, leaves: &[Moved], failures: &mut Vec<String>) {
     let scenario = read_with(&case.text, case.name, &[], &case.files).expect("the scenario reads");
     let decides = |leaf: &&Moved| STRUCTURE.iter().any(|part| leaf.path.contains(part));
@@ -271,65 +272,65 @@ fn check(names: &[&'static str], steps: f64) {
 }
 
 #[test]
-fn every_number_of_every_element_is_each_runs_own_and_has_its_derivative() {
+fn every_number_of_every_element_can_differ_between_runs_and_has_its_derivative() {
     check(&["every_element.yaml"], 3.0);
 }
 
 #[test]
-fn so_it_is_in_other_winds_and_currents() {
+fn every_number_of_winds_and_currents_can_differ_between_runs_and_has_its_derivative() {
     check(&["wind_and_current.yaml"], 3.0);
 }
 
 #[test]
-fn so_it_is_in_the_splash_zone() {
+fn every_number_in_the_splash_zone_can_differ_between_runs_and_has_its_derivative() {
     check(&["splash_zone.yaml"], 3.0);
 }
 
 #[test]
-fn so_it_is_with_controllers() {
+fn every_number_of_controllers_can_differ_between_runs_and_has_its_derivative() {
     check(&["controllers.yaml"], 4.0);
 }
 
 #[test]
-fn so_it_is_with_control_of_motion() {
+fn every_number_of_motion_control_can_differ_between_runs_and_has_its_derivative() {
     check(&["motion_control.yaml"], 3.0);
 }
 
 #[test]
-fn so_it_is_in_contact() {
+fn every_number_of_contacts_can_differ_between_runs_and_has_its_derivative() {
     check(&["contact.yaml"], 3.0);
 }
 
 #[test]
-fn so_it_is_with_closed_loops() {
+fn every_number_of_closed_loops_can_differ_between_runs_and_has_its_derivative() {
     check(&["closed_loop.yaml"], 3.0);
 }
 
 #[test]
 #[ignore = "thorough"]
-fn so_it_is_with_the_gallerys_closed_loops() {
+fn every_number_of_the_gallerys_closed_loops_can_differ_between_runs_and_has_its_derivative() {
     check(&["dual_draglink_crane.yaml", "knuckle_boom_crane.yaml"], 3.0);
 }
 
 #[test]
 #[ignore = "thorough"]
-fn so_it_is_on_dry_land() {
+fn every_number_on_land_can_differ_between_runs_and_has_its_derivative() {
     check(&["paper.yaml", "paper_true_draught.yaml", "tennis_racket.yaml", "chain.yaml", "flexible_boom.yaml"], 3.0);
 }
 
 #[test]
 #[ignore = "thorough"]
-fn so_it_is_at_sea() {
+fn every_number_at_sea_can_differ_between_runs_and_has_its_derivative() {
     check(&["barge.yaml", "floating_hemisphere.yaml", "sphere_decay.yaml"], 2.0);
 }
 
 #[test]
 #[ignore = "thorough"]
-fn so_it_is_on_an_offshore_vessel() {
+fn every_number_of_an_offshore_vessel_can_differ_between_runs_and_has_its_derivative() {
     check(&["offshore_vessel.yaml", "offshore_vessel_moored.yaml", "offshore_vessel_on_dp.yaml"], 2.0);
 }
 
-/// The height that a wind is taken at is each run's own: the higher, the more of it by the power law.
+/// The height of a wind can differ between runs: by the power law, a greater height gives a higher speed.
 #[test]
 fn a_batch_over_the_height_of_a_wind_load_has_four_winds() {
     let case = case("offshore_vessel_on_dp.yaml", 8.0);
@@ -350,7 +351,7 @@ fn a_batch_over_the_height_of_a_wind_load_has_four_winds() {
 
 /// J n^2, 2 pi / T and m (2 pi / T)^2 have the derivatives 2 J n, -2 pi / T^2 and -2 K / T.
 #[test]
-fn what_is_not_in_proportion_to_a_number_has_its_derivative_too() {
+fn a_result_not_proportional_to_a_number_also_has_its_derivative() {
     let case = case("every_element.yaml", 2.0);
     let scenario = read_with(&case.text, case.name, &[], &case.files).expect("it reads");
     let names = [
@@ -378,9 +379,9 @@ fn files_below(folder: &Path) -> Vec<PathBuf> {
     entries.flat_map(|path| if path.is_dir() { files_below(&path) } else { vec![path] }).collect()
 }
 
-/// Builders compute with all of a number: none takes its first lane, or its value without its derivatives.
+/// Builders use the whole number: none uses only its first lane, or its value without its derivatives.
 #[test]
-fn no_builder_reads_the_first_of_several_numbers() {
+fn no_builder_uses_only_the_first_of_several_numbers() {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let of_rooms = files_below(&source.join("elements"));
     let of_rooms = of_rooms.into_iter().filter(|file| file.to_string_lossy().contains("/assembly"));

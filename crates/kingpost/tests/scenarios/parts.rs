@@ -1,4 +1,4 @@
-//! Parts: files mounted into a scenario, with their names, their place and their mistakes.
+//! Parts: files mounted into a scenario, with their names, positions and mistakes.
 
 use crate::common::gallery_files;
 use crate::common::hoist_part;
@@ -34,7 +34,7 @@ fn every_name_of_a_part_gets_its_prefix() {
 }
 
 #[test]
-fn without_a_prefix_the_names_of_a_part_stay() {
+fn without_a_prefix_the_names_of_a_part_do_not_change() {
     let ship = SHIP.replace("part: hoist.yaml", "part: hoist.yaml, prefix: \"\"");
     let whole = with_hoist(&ship, &[("load_t", json!(3))]).unwrap();
     assert_eq!(whole.bodies["block"].mass_kg.get(), 3000.0);
@@ -43,7 +43,7 @@ fn without_a_prefix_the_names_of_a_part_stay() {
 
 /// Source: p + R x, and rotations about one axis add up. Roll of 90 degrees turns y to z and z to -y.
 #[test]
-fn what_stands_on_the_world_in_a_part_stands_on_its_mounting() {
+fn entries_of_a_part_on_the_world_move_to_its_mounting() {
     let numbers = |ship: &str, path: &str| -> Vec<f64> {
         let whole = json_of(&with_hoist(ship, &[]).unwrap());
         whole.pointer(path).and_then(Value::as_array).unwrap().iter().map(|x| x.as_f64().unwrap()).collect()
@@ -63,9 +63,10 @@ fn what_stands_on_the_world_in_a_part_stands_on_its_mounting() {
     near(numbers(&rolled, "/loops/crane_stay/first/position_m"), [5.0, -3.0, 3.5]);
 }
 
-/// A crane that falls with the ship under it, turned as a whole, moves as the one that was written so.
+/// A crane that falls with the ship below it, mounted with a rotation, moves like one that was written with
+/// the rotation.
 #[test]
-fn a_turned_crane_moves_as_one_that_is_written_turned() {
+fn a_rotated_mounting_equals_a_crane_written_with_the_rotation() {
     let end = |scenario: &Scenario| {
         let mut simulation = Simulation::new(scenario.setup().unwrap());
         simulation.step(500).unwrap();
@@ -91,7 +92,7 @@ fn a_turned_crane_moves_as_one_that_is_written_turned() {
 }
 
 #[test]
-fn a_mounting_sets_parameters_and_fields_of_its_part_and_passes_the_others_up() {
+fn a_mounting_sets_parameters_and_fields_of_its_part_and_the_other_parameters_remain() {
     let ship = SHIP.replace("on: ship", "on: ship, parameters: {load_t: 5, drives.grip.brake.torque_kN_m: 3}");
     let whole = with_hoist(&ship, &[("crane_reach_m", json!(7))]).unwrap();
     assert_eq!(whole.bodies["crane_block"].mass_kg.get(), 5000.0);
@@ -129,7 +130,7 @@ fn a_mounting_is_set_from_outside_like_any_field() {
     assert!(swapped.unwrap_or_else(|error| panic!("{error}")).bodies.contains_key("crane_drag_link_port"));
 }
 
-/// The place of a part is a parameter like any other, where everything of the part stands at its origin.
+/// The position of a part is a parameter like any other, if everything in the part is at its origin.
 #[test]
 fn a_parameter_moves_a_crane_on_the_deck() {
     let place =
@@ -153,7 +154,7 @@ fn a_parameter_moves_a_crane_on_the_deck() {
 
 /// Source: the same model, written without parts.
 #[test]
-fn the_place_of_a_part_has_the_gradient_of_the_joint_that_stands_there() {
+fn the_position_of_a_part_has_the_gradient_of_the_joint_at_this_position() {
     let ship = "version: 1\ntitle: x\nsimulation: {duration_s: 0.2, step_s: 0.01}\nforces: {gravity: {gravity: {}}}\nbodies:\n  ship: \
                 {mass_t: 50, shape: {sphere: {radius_m: 2}}, joint: {floating: {initial: {angular_velocity_rad_s: [0.3, 0.1, 0.2]}}}}\n";
     let arm =
@@ -176,7 +177,7 @@ fn the_place_of_a_part_has_the_gradient_of_the_joint_that_stands_there() {
 }
 
 #[test]
-fn parts_may_have_parts() {
+fn parts_can_contain_parts() {
     let hook = "{version: 1, title: A hook, bodies: {hook: {mass_kg: 50, shape: {sphere: {radius_m: 0.1}}, joint: {fixed: {name: pin}}}}}";
     let hoist = HOIST.to_owned() + "parts: {tackle: {part: hooks/hook.yaml, on: block, position_m: [0, 0, -1]}}\n";
     let files = texts(&[("cranes/hoist.yaml", &hoist), ("cranes/hooks/hook.yaml", hook)]);
@@ -198,7 +199,7 @@ fn parts_may_have_parts() {
 }
 
 #[test]
-fn files_are_asked_for_until_no_new_name_comes() {
+fn files_are_requested_until_there_is_no_new_name() {
     let hull = "{version: 1, title: x, bodies: {hull: {mass_kg: 1, shape: {sphere: {radius_m: 1}}, joint: {floating: {}}}}, \
                 forces: {water: {hydrodynamics: {body: hull, database: ../hydro/a.hydro.json}}}}";
     let ship = "{version: 1, title: x, parts: {a: {part: vessel}, b: {part: hulls/b.yaml}}}";
@@ -210,7 +211,7 @@ fn files_are_asked_for_until_no_new_name_comes() {
 }
 
 #[test]
-fn a_part_that_floats_stands_on_the_world() {
+fn a_floating_part_is_mounted_on_the_world() {
     let on_a_body = text("two_ships").replace("part: barge_hull,", "part: barge_hull, on: vessel_hull,");
     let found = read(&on_a_body, &[]).unwrap_err().to_string();
     assert!(
@@ -221,7 +222,7 @@ fn a_part_that_floats_stands_on_the_world() {
 
 /// Each crane of the gallery on each hull: it settles by its own weight only, so the whole is that of both.
 #[test]
-fn every_crane_of_the_gallery_stands_on_every_hull() {
+fn every_crane_of_the_gallery_can_be_mounted_on_every_hull() {
     let hulls = BTreeMap::from([("offshore_hull", "hull"), ("barge_hull", "ship"), ("crane_barge_hull", "hull")]);
     // Rigging moves freely: it stands on the world.
     let rigging = ["four_leg_sling", "spreader_bar"];
@@ -247,7 +248,7 @@ fn every_crane_of_the_gallery_stands_on_every_hull() {
 }
 
 #[test]
-fn every_part_of_the_gallery_says_what_it_is() {
+fn every_part_of_the_gallery_has_a_title_and_a_description() {
     for name in names("parts") {
         let part = read(&text(&format!("parts/{name}")), &[]);
         let part = match part {

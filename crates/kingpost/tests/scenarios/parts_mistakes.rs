@@ -1,4 +1,4 @@
-//! Mistakes in parts and in their mountings are answered with the place where they stand.
+//! Mistakes in parts and in their mountings are reported with their place.
 
 use crate::common::hoist_part;
 
@@ -6,7 +6,7 @@ use hoist_part::{HOIST, SHIP, error, place};
 use serde_json::{Value, json};
 
 #[test]
-fn a_mistake_in_a_part_has_the_parts_file_and_names() {
+fn the_error_of_a_mistake_in_a_part_contains_the_parts_file_and_names() {
     let refuses = |old: &str, new: &str, at: &str, says: &str| {
         assert!(HOIST.contains(old), "no {old:?}");
         let hoist = HOIST.replacen(old, new, 1);
@@ -45,7 +45,7 @@ fn a_mistake_in_a_part_has_the_parts_file_and_names() {
 }
 
 #[test]
-fn a_mistake_in_a_mounting_has_its_place_in_the_including_file() {
+fn the_error_of_a_mistake_in_a_mounting_has_its_place_in_the_including_file() {
     let refuses = |old: &str, new: &str, at: &str, says: &str| {
         assert!(SHIP.contains(old), "no {old:?}");
         let ship = SHIP.replacen(old, new, 1);
@@ -130,7 +130,7 @@ fn a_mistake_in_a_mounting_has_its_place_in_the_including_file() {
 }
 
 #[test]
-fn a_mistake_set_from_outside_says_what_was_set() {
+fn the_error_of_a_mistake_set_from_outside_names_the_setting() {
     let refuses = |name: &str, value: Value, says: &str| {
         let found = error(SHIP, HOIST, &[(name, value)]);
         assert!(found.starts_with(says), "{found}");

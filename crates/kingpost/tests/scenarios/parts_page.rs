@@ -41,7 +41,7 @@ fn the_page_is_a_vessel_with_two_cranes_that_runs() {
 }
 
 #[test]
-fn the_page_shows_the_error_that_it_speaks_of() {
+fn the_page_shows_the_error_that_it_describes() {
     #[derive(Debug)]
     struct Wrong;
     impl Host for Wrong {

@@ -1,4 +1,5 @@
-//! The fields that carry names and files are those that parts know, by the JSON Schema of the types.
+//! The fields that contain names and files, by the JSON Schema of the types, are those that the mounting of
+//! parts changes.
 #![cfg(feature = "schema")]
 
 use kingpost::scenario::json_schema::json_schema;
@@ -27,7 +28,8 @@ fn is_text(property: &Value, with_form: bool) -> bool {
     own || any.into_iter().any(|one| is_text(one, with_form))
 }
 
-/// A text of no form is one for people, or its type says that it names a file or a column: a part changes those.
+/// A text without a form is either one for people, or its type states that it names a file or a column: a
+/// part changes these.
 #[test]
 fn a_text_of_no_form_is_known() {
     let known = BTreeSet::from([

@@ -1,10 +1,11 @@
-//! Columns that are read alone.
+//! Columns that are read without the rest of the row.
 
 use crate::common::gallery_files::{names, scenario};
 
-/// Checks that an operation reads at every step what a row of the results says, for every column of every scenario.
+/// Checks that an operation reads at every step the value in the row of results, for every column of every
+/// scenario.
 #[test]
-fn a_column_that_is_read_alone_has_the_value_of_its_row() {
+fn a_column_read_separately_has_the_value_in_the_row() {
     for name in names("") {
         let mut simulation = scenario(&name, &[]).simulation().expect("the gallery builds");
         simulation.step(3).expect("three steps");
@@ -27,7 +28,7 @@ fn a_column_that_is_read_alone_has_the_value_of_its_row() {
 }
 
 #[test]
-fn two_hulls_side_by_side_are_warned_of_with_their_gap() {
+fn two_adjacent_hulls_give_a_warning_with_their_gap() {
     let mut simulation = scenario("lift_off_from_barge", &[]).simulation().expect("the gallery builds");
     simulation.write_row(&mut Vec::new());
     let warnings = simulation.warnings();

@@ -1,4 +1,4 @@
-//! Bad scenarios: each gives one clear error with its place.
+//! Invalid scenarios: each gives one clear error with its place.
 
 use crate::common::paper_text;
 
@@ -111,7 +111,7 @@ fn a_second_drive_that_follows_a_set_point_in_a_joint_is_refused() {
         );
         assert!(found.ends_with(&expected) && found.starts_with("paper.yaml:"), "{found}");
     }
-    // The motor of the slewing joint is there already; what is off drives nothing.
+    // The slewing joint already has a motor; a disabled drive does not count.
     let brake = "  brake: {brake: {joint: slew, torque_N_m: 100, smoothing_rad_s: 0.01}}\n";
     for accepted in [servo("second", ", enabled: false"), brake.to_owned()] {
         assert!(read(&drives(&accepted), "paper.yaml", &[]).is_ok(), "{accepted}");
@@ -203,7 +203,7 @@ fn a_number_of_many_digits_is_shown_by_its_power_of_ten() {
 }
 
 #[test]
-fn what_the_arithmetic_has_no_number_for_is_refused_where_the_run_begins() {
+fn a_value_that_overflows_is_refused_at_the_start_of_the_run() {
     let turned = changed("name: slew\n", "name: slew\n        orientation_rad: [1e200, 0, 0]\n");
     let error = error_of(&turned);
     assert!(error.contains("bodies.tower.joint: found a position that is not finite, allowed: "), "{error}");
@@ -362,7 +362,7 @@ fn on_and_yes_are_texts_in_a_file_and_not_booleans() {
 }
 
 #[test]
-fn what_only_the_whole_model_shows_has_its_place_too() {
+fn an_error_of_the_whole_model_also_has_its_place() {
     refuses(
         "parent: ship",
         "parent: shp",
@@ -417,6 +417,6 @@ fn settings_of_integrators_outside_their_range_are_refused() {
 }
 
 #[test]
-fn the_paper_itself_reads() {
+fn the_scenario_of_the_paper_reads() {
     assert!(read(PAPER, "paper.yaml", &[]).is_ok());
 }

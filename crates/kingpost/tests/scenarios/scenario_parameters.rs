@@ -50,7 +50,7 @@ fn the_papers_parameters_have_the_defaults_of_its_table() {
 }
 
 #[test]
-fn a_default_is_written_over_what_stands_in_the_file() {
+fn a_default_replaces_the_value_in_the_file() {
     let scenario = try_set(&changed("position_m: [-10, -5, 0]", "position_m: [1, 2, 0]"), &[]);
     assert_eq!(slew_position(&scenario.unwrap()), [-10.0, -5.0, 0.0]);
 }
@@ -83,7 +83,7 @@ fn a_plain_path_is_set_whatever_the_parameters_say_and_later_overrides_win() {
 }
 
 #[test]
-fn a_path_may_lead_to_a_field_that_the_file_leaves_out() {
+fn a_path_can_lead_to_a_field_that_the_file_omits() {
     let scenario =
         set(&["bodies.ship.joint.floating.initial.orientation_rad.1=0.5", "bodies.arm.centre_of_mass_m=[1, 0, 0]"]);
     let Joint::Floating(joint) = &scenario.bodies["ship"].joint else { panic!("the ship floats") };
@@ -113,7 +113,7 @@ fn unit_aliases_are_read_in_the_file_and_in_paths() {
 }
 
 #[test]
-fn a_body_whose_name_ends_as_a_unit_keeps_it() {
+fn a_body_whose_name_ends_like_a_unit_is_not_renamed() {
     let text = PAPER.replace("bodies.load", "bodies.load_t").replace("  load:\n", "  load_t:\n");
     assert!(try_set(&text, &["load=on"]).unwrap().bodies["load_t"].enabled);
 }
@@ -133,7 +133,7 @@ fn a_parameter_may_write_in_another_unit() {
 }
 
 #[test]
-fn an_override_that_is_not_allowed_says_what_is() {
+fn the_error_of_an_invalid_override_contains_the_allowed_values() {
     let cases = [
         ("motor_1=5", "--set motor_1: found 5, allowed: true or false"),
         ("motor_1=yes", "--set motor_1: found the text \"yes\", allowed: true or false"),

@@ -7,7 +7,7 @@ use paper_text::{PAPER, set, try_set};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 
-/// A scenario in which every kind of body, joint, force and drive stands once.
+/// A scenario with every kind of body, joint, force and drive once.
 const EVERYTHING: &str = r#"
 version: 1
 title: Everything
@@ -192,7 +192,7 @@ fn every_number_refuses_a_text_a_boolean_a_list_and_nothing() {
 }
 
 #[test]
-fn every_number_refuses_a_value_outside_its_range_and_says_so() {
+fn every_number_refuses_a_value_outside_its_range_with_the_range() {
     for path in number_fields().into_iter().filter(|path| path != "version") {
         let refused = |value: f64| match read(EVERYTHING, "all.yaml", &[(path.clone(), json!(value))]) {
             Err(error) if error.field == path && error.allowed.contains("than 0") => true,
@@ -210,7 +210,7 @@ fn every_number_refuses_a_value_outside_its_range_and_says_so() {
     }
 }
 
-/// Bits of YAML that come near to a scenario.
+/// Fragments of text that resemble YAML.
 fn near_yaml() -> impl Strategy<Value = String> {
     let token = prop::sample::select(vec![
         "version: 1",
@@ -318,7 +318,7 @@ proptest! {
     }
 
     #[test]
-    fn numbers_keep_every_bit(mass in 1e-300..1e300_f64, x in prop::num::f64::NORMAL) {
+    fn numbers_are_read_and_written_without_rounding(mass in 1e-300..1e300_f64, x in prop::num::f64::NORMAL) {
         let text = format!("version: 1\ntitle: x\nbodies: {{a: {{mass_kg: {mass:?}, centre_of_mass_m: [{x:?}, 0, -0.0], shape: {{point: {{}}}}, joint: {{fixed: {{}}}}}}}}");
         if let Ok(scenario) = read(&text, "a.yaml", &[]) {
             let again = read(&scenario.to_json(), "a.json", &[]).unwrap();

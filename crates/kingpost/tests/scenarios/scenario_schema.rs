@@ -1,4 +1,4 @@
-//! The JSON Schema in the repository is the one that the types give.
+//! The JSON Schema in the repository equals that of the types.
 #![cfg(feature = "schema")]
 
 use kingpost::scenario::json_schema::{equations_schema, json_schema, published_schema, study_schema};
@@ -56,7 +56,7 @@ fn the_written_schema_of_equations_is_that_of_the_types() {
     );
 }
 
-/// Every property of a schema, with its name. That of a kind without fields of its own is described by the kind.
+/// Returns every property of a schema, with its name. A kind without fields is described by the kind itself.
 fn properties(schema: &Value, into: &mut Vec<(String, Value)>) {
     match schema {
         Value::Array(entries) => entries.iter().for_each(|entry| properties(entry, into)),
@@ -89,7 +89,7 @@ fn every_field_is_described() {
 }
 
 #[test]
-fn every_unit_alias_stands_beside_its_si_name() {
+fn every_unit_alias_is_next_to_its_si_name() {
     let mut all = Vec::new();
     properties(&json_schema(), &mut all);
     let names: Vec<&str> = all.iter().map(|(name, _)| name.as_str()).collect();

@@ -1,4 +1,4 @@
-//! The file of a study: its defaults, and what is wrong in it with its place.
+//! Study files: defaults, and errors with their place.
 
 use kingpost::scenario::schema::ParameterValue;
 use kingpost::scenario::study::{self, Study, StudyAxis};
@@ -10,7 +10,7 @@ fn read(rest: &str) -> Result<Study, String> {
 }
 
 #[test]
-fn what_a_study_does_not_say_has_defaults() {
+fn omitted_fields_of_a_study_have_defaults() {
     let study = read("").unwrap();
     assert_eq!((study.seeds.first, study.seeds.count), (1, 1));
     assert_eq!((study.after_s.get(), study.acceptance.get(), study.operation_s), (0.0, 0.1, None));
@@ -40,7 +40,7 @@ fn places_are_those_in_the_text() {
 }
 
 #[test]
-fn what_is_wrong_has_its_place_what_was_found_and_what_is_allowed() {
+fn an_error_has_its_place_the_found_value_and_the_allowed_values() {
     for (rest, message) in [
         ("axes: {x: {values: []}}", "s.yaml:4:20: axes.x.values: found an empty list, allowed: one value or more"),
         (

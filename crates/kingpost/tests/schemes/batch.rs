@@ -1,4 +1,4 @@
-//! Many runs at once are the runs that each variant has alone, bit for bit.
+//! Runs of a batch are bitwise identical to single runs of each variant.
 
 use crate::common;
 use crate::common::gallery_files;
@@ -21,7 +21,7 @@ fn alone(variant: &Variant) -> Run {
     Simulation::new(paper_setup(&pairs)).run(|_| true)
 }
 
-/// Numbers and switches, so that some stand in full lanes, some in part-filled ones, some alone.
+/// Numbers and switches, so that some runs are in full lanes, some in partly filled ones, and some alone.
 fn variants() -> Vec<Variant> {
     let mut all: Vec<Variant> = (0..10).map(|k| variant(&[("crane_x_m", json!(-9.3 + k as f64))])).collect();
     all.extend((0..3).map(|k| variant(&[("load", json!(true)), ("bodies.load.mass_kg", json!(500 + 100 * k))])));
@@ -38,7 +38,7 @@ fn bits(run: &Run) -> Vec<u64> {
 }
 
 #[test]
-fn every_run_has_the_bits_that_it_has_alone_whatever_the_number_of_threads() {
+fn every_run_is_bitwise_identical_to_a_single_run_for_any_number_of_threads() {
     let variants = variants();
     let expected: Vec<Vec<u64>> = variants.iter().map(|variant| bits(&alone(variant))).collect();
     for threads in [1, 2, 5] {
@@ -80,7 +80,7 @@ fn a_run_that_diverges_is_marked_and_the_others_go_on() {
 }
 
 #[test]
-fn a_variant_that_is_wrong_is_named_before_anything_runs() {
+fn an_invalid_variant_is_named_before_any_run_starts() {
     let variants = [variant(&[]), variant(&[("crane_x_m", json!(70))])];
     let error = batch::run(TEXT, "paper.yaml", &Files::default(), &variants, 1, |_| panic!("nothing runs"))
         .expect_err("it is out of range");
@@ -90,7 +90,7 @@ fn a_variant_that_is_wrong_is_named_before_anything_runs() {
 }
 
 #[test]
-fn a_batch_that_records_more_than_is_allowed_does_not_begin() {
+fn a_batch_that_records_more_than_the_limit_does_not_start() {
     let variants = [variant(&[]), variant(&[])];
     let run = |most_bytes| batch::run_within(TEXT, "paper.yaml", &Files::default(), &variants, 1, most_bytes, |_| true);
     let error = run(1000).expect_err("30 rows of some 100 numbers each");
@@ -111,7 +111,7 @@ fn a_batch_can_be_stopped() {
 }
 
 #[test]
-fn runs_with_closed_loops_and_cylinders_have_the_bits_that_they_have_alone() {
+fn runs_with_closed_loops_and_cylinders_are_bitwise_identical_to_single_runs() {
     // Newton's method closes each lane's loop in its own number of corrections.
     let cranes = [("dual_draglink_crane", "boom_cylinder_m"), ("knuckle_boom_crane", "main_cylinder_m")];
     for (file, cylinder) in cranes {
@@ -129,7 +129,7 @@ fn runs_with_closed_loops_and_cylinders_have_the_bits_that_they_have_alone() {
 
 /// Both change their form at 0.04, 0.12, 0.20 and 0.24 s: one holds before it reverses, the other does not.
 #[test]
-fn histories_with_the_same_edges_do_not_go_side_by_side() {
+fn histories_with_equal_edges_do_not_share_lanes() {
     let with = |history: &str, name: &str, times: Value| {
         variant(&[("drives.motor_1.motor.history", json!(history)), (name, times)])
     };

@@ -1,4 +1,4 @@
-//! Copies that a controller steps together: a state that is marked, and from which all go on.
+//! Copies that a controller steps together: a marked state from which all copies continue.
 
 use crate::common;
 
@@ -8,7 +8,7 @@ use kingpost::batch::{Asked, Status, VectorEnsemble};
 const COUNT: usize = 6;
 const COLUMNS: [&str; 3] = ["load.position.x", "load.position.y", "energy_error"];
 
-/// A crane whose slewing is an input; each copy's load has a mass of its own if `masses` says so.
+/// A crane whose slewing is an input; each copy's load has a different mass if `masses` is true.
 fn cranes(masses: bool, threads: usize) -> VectorEnsemble {
     let asked = Asked {
         inputs: vec!["slew_command".to_owned()],
@@ -43,7 +43,7 @@ fn of(read: &Read, copy: usize) -> &[f64] {
 const APART: [f64; COUNT] = [0.0, 0.01, -0.02, 0.03, 0.04, -0.05];
 
 #[test]
-fn copies_go_on_from_a_marked_one_to_its_own_bits_as_often_as_asked_on_any_number_of_threads() {
+fn copies_continue_bitwise_identically_from_a_marked_copy_on_any_number_of_threads() {
     let mut paths: Vec<Vec<f64>> = Vec::new();
     for threads in [1, 2] {
         let mut copies = cranes(false, threads);
@@ -66,7 +66,7 @@ fn copies_go_on_from_a_marked_one_to_its_own_bits_as_often_as_asked_on_any_numbe
 }
 
 #[test]
-fn a_copy_that_goes_on_from_another_keeps_its_own_numbers() {
+fn a_copy_that_continues_from_another_keeps_its_numbers() {
     let mut copies = cranes(true, 1);
     advance(&mut copies, 200, APART);
     copies.mark(0).unwrap();
@@ -80,7 +80,7 @@ fn a_copy_that_goes_on_from_another_keeps_its_own_numbers() {
 }
 
 #[test]
-fn a_mark_that_cannot_be_is_refused_with_what_is_allowed() {
+fn an_invalid_mark_is_refused_with_the_allowed_ones() {
     let mut copies = cranes(false, 1);
     let found = copies.resume().expect_err("nothing was marked").to_string();
     assert_eq!(found, "mark: found no marked copy, allowed: a copy that has not failed");

@@ -1,5 +1,5 @@
-//! Dormand-Prince: errors follow the tolerances, dense output has its order, edges end steps, and
-//! what is changed from outside is seen.
+//! Dormand-Prince: errors follow the tolerances, dense output has its order, edges end steps, and changes
+//! from outside are detected.
 
 use crate::common;
 
@@ -62,7 +62,7 @@ fn errors_follow_the_tolerance() {
 }
 
 #[test]
-fn inner_steps_reach_beyond_the_states_that_are_handed_out() {
+fn inner_steps_reach_beyond_the_output_states() {
     let cost = |step_s: f64| {
         let mut simulation = with_tolerance(1e-6, step_s);
         simulation.step((1.0 / step_s).round() as usize).unwrap();
@@ -137,7 +137,7 @@ fn a_lever_moved_between_two_steps_acts_from_the_next_on() {
 }
 
 #[test]
-fn a_state_that_is_set_is_where_it_goes_on() {
+fn the_scheme_continues_from_a_state_that_is_set() {
     let mut simulation = with_tolerance(1e-8, 0.01);
     simulation.step(7).unwrap();
     let (q, v) = (simulation.state().q.clone(), simulation.state().v.clone());
@@ -152,7 +152,7 @@ fn a_state_that_is_set_is_where_it_goes_on() {
 }
 
 #[test]
-fn tolerances_that_no_step_can_keep_are_an_error_and_rows_are_kept() {
+fn tolerances_below_rounding_end_the_run_and_rows_are_kept() {
     let mut simulation = with_tolerance(1e-30, 0.01);
     let run = simulation.run(|_| true);
     let Err(RunError::Step(error)) = run.status else { panic!("{:?}", run.status) };
@@ -161,7 +161,7 @@ fn tolerances_that_no_step_can_keep_are_an_error_and_rows_are_kept() {
 }
 
 #[test]
-fn the_state_is_handed_out_where_it_was_asked_for() {
+fn the_state_is_returned_at_the_requested_time() {
     // Steps of any size meet the same motion: the inner steps do not follow the outer ones.
     let end = |step_s: f64| {
         let mut simulation = with_tolerance(1e-9, step_s);

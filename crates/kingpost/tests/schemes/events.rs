@@ -1,4 +1,4 @@
-//! Events are located inside a step, and samples fall on their ticks, under every scheme.
+//! Events are located within a step, and samples are taken at their times, under every scheme.
 
 use crate::common;
 
@@ -62,7 +62,7 @@ fn gravity<S: Scalar>() -> AnyElement<S> {
     Box::new(Gravity)
 }
 
-/// A stop at zero that gives a share of the speed back (Newton's law of impact).
+/// A stop at zero that returns a share of the speed (Newton's law of impact).
 #[derive(Clone, Debug)]
 struct Floor<S> {
     restitution: S,
@@ -94,7 +94,7 @@ fn ball<S: Scalar>(height: S, restitution: S, scheme: SchemeName) -> Simulation<
 }
 
 #[test]
-fn a_ball_on_a_stop_hits_it_when_the_closed_form_says() {
+fn a_ball_hits_a_stop_at_the_time_of_the_closed_form() {
     let (height, restitution): (f64, f64) = (1.3, 0.7);
     for scheme in [SchemeName::RungeKutta4, DORMAND_PRINCE] {
         let mut simulation = ball(height, restitution, scheme);
@@ -114,7 +114,7 @@ fn a_ball_on_a_stop_hits_it_when_the_closed_form_says() {
     }
 }
 
-/// The energy that impacts take is heat, and the momentum that they give comes from outside.
+/// The energy lost in impacts is heat, and the momentum change comes from outside.
 #[test]
 fn the_ledger_closes_over_impacts() {
     let mut simulation = ball(1.3, 0.7, SchemeName::RungeKutta4);
@@ -154,7 +154,7 @@ fn derivatives_follow_through_an_event() {
     }
 }
 
-/// A brake that comes on where an angle is passed, and is viscous from then on.
+/// A brake that is applied when an angle is passed, and is viscous from then on.
 #[derive(Clone, Debug)]
 struct Catch {
     angle: f64,
@@ -313,9 +313,9 @@ fn a_sampled_controller_with_two_ticks_delay_is_its_recursion() {
     }
 }
 
-/// Between two restarts the scheme goes on where it was, whatever the step of the display.
+/// Between two restarts the scheme continues its inner steps, for any step of the display.
 #[test]
-fn dormand_prince_does_not_begin_anew_at_every_step() {
+fn dormand_prince_does_not_restart_at_every_step() {
     let evaluations = |step_s: f64| {
         let mut simulation = pendulum(DORMAND_PRINCE, step_s);
         simulation.step((1.0 / step_s).round() as usize).unwrap();
@@ -327,7 +327,7 @@ fn dormand_prince_does_not_begin_anew_at_every_step() {
 }
 
 #[test]
-fn what_answers_itself_without_end_stops_the_run() {
+fn an_element_that_responds_to_itself_without_end_stops_the_run() {
     #[derive(Clone, Debug)]
     struct Chatter;
     impl<S: Scalar> Element<S> for Chatter {
@@ -340,7 +340,7 @@ fn what_answers_itself_without_end_stops_the_run() {
             Declaration { modes: vec!["turns".to_owned()], events, ..Declaration::default() }
         }
 
-        /// Falls through zero 1e-6 s after each answer.
+        /// An element that falls through zero 1e-6 s after each response.
         fn event_indicators(&mut self, at: &Context<'_, S>, values: &mut [S]) {
             let next = 0.001 + 1e-6 * at.modes[0] as f64;
             values[0] = S::constant(next - at.clock.time_s);

@@ -11,7 +11,7 @@ use kingpost::simulation::{RunError, Setup};
 use kingpost::spatial::{Quaternion, Vector3};
 use serde_json::json;
 
-/// 1 kg on a spring of stiffness omega^2, from rest at 1 m; the spring is a servo of no limit.
+/// 1 kg on a spring of stiffness omega^2, from rest at 1 m; the spring is a servo without limits.
 fn oscillator(settings: &str, omega: f64, step_s: f64) -> Simulation {
     let stiffness = omega * omega;
     common::simulation(&format!(
@@ -85,7 +85,7 @@ fn invariants(rho: f64, h_omega: f64) -> [f64; 3] {
 }
 
 #[test]
-fn generalized_alpha_steps_as_its_amplification_matrix_says() {
+fn a_step_of_generalized_alpha_is_that_of_its_amplification_matrix() {
     for rho in [0.0, 0.3, 0.8, 1.0] {
         for h_omega in [0.1, 1.0, 10.0, 1e3] {
             let omega = 40.0;
@@ -107,7 +107,7 @@ fn generalized_alpha_steps_as_its_amplification_matrix_says() {
 }
 
 #[test]
-fn generalized_alpha_leaves_rho_infinity_of_the_fastest_oscillations() {
+fn generalized_alpha_reduces_the_fastest_oscillations_by_rho_infinity() {
     // All three roots are -rho there (Chung & Hulbert 1993, eq. 24 and figure 4), so
     // x3 + 3 rho x2 + 3 rho^2 x1 + rho^3 x0 = 0, up to 1 / (h omega)^2.
     for rho in [0.0, 0.5, 0.9, 1.0] {
@@ -187,7 +187,7 @@ fn the_implicit_midpoint_rule_keeps_energy_and_momentum_of_a_free_body_to_roundi
 }
 
 #[test]
-fn other_schemes_of_order_two_do_not() {
+fn other_schemes_of_order_two_do_not_conserve_the_angular_momentum_of_a_free_body() {
     for integrator in ["newmark", "generalized_alpha"] {
         let mut simulation = tumbling(integrator, 0.05);
         let momentum = values(&mut simulation, "angular_momentum");
@@ -266,7 +266,7 @@ fn implicit_schemes_keep_their_derivatives_over_many_steps() {
 }
 
 #[test]
-fn a_newton_iteration_that_does_not_converge_says_so_and_keeps_the_rows() {
+fn a_newton_iteration_that_does_not_converge_is_an_error_and_rows_are_kept() {
     // The paper's motors run the arm away; steps of 0.5 s soon ask for turns of more than a circle.
     for integrator in ["newmark", "generalized_alpha", "implicit_midpoint"] {
         let mut simulation = paper(&[

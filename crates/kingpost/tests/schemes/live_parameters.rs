@@ -1,4 +1,4 @@
-//! Parameters that change while a run goes on.
+//! Parameters that change during a run.
 
 use crate::common;
 
@@ -53,7 +53,7 @@ fn boat(changes: &[(&str, Value)]) -> (Scenario, Simulation) {
 const INTEGRATORS: [&str; 5] = ["rk4", "dormand_prince", "generalized_alpha", "implicit_midpoint", "midpoint_euler"];
 
 #[test]
-fn a_run_goes_on_as_one_of_the_other_scenario_that_begins_from_here() {
+fn a_run_continues_like_a_run_of_the_changed_scenario_from_this_state() {
     for integrator in INTEGRATORS {
         let scheme = ("simulation.integrator", json!(integrator));
         let (mut scenario, mut live) = boat(std::slice::from_ref(&scheme));
@@ -76,7 +76,7 @@ fn a_run_goes_on_as_one_of_the_other_scenario_that_begins_from_here() {
 }
 
 #[test]
-fn another_integrator_moves_the_same_run_on() {
+fn a_run_continues_with_another_integrator() {
     for (first, second) in INTEGRATORS.iter().zip(INTEGRATORS.iter().cycle().skip(1)) {
         let (mut scenario, mut live) = boat(&[("simulation.integrator", json!(first))]);
         live.step(100).unwrap();
@@ -97,7 +97,7 @@ fn another_integrator_moves_the_same_run_on() {
 }
 
 #[test]
-fn a_mass_that_changes_books_its_energy_and_momentum_in_the_ledger() {
+fn a_change_of_mass_enters_its_energy_and_momentum_in_the_ledger() {
     let (mut scenario, mut simulation) = boat(&[("simulation.step_s", json!(0.002))]);
     simulation.step(400).unwrap();
     let energy = |simulation: &mut Simulation| {
@@ -110,7 +110,7 @@ fn a_mass_that_changes_books_its_energy_and_momentum_in_the_ledger() {
     // The bob hangs 6 m above the origin: 150 kg more are some 9 kJ, by the outside.
     assert!(after - before > 8000.0 && (booked - (after - before)).abs() < 1e-9 * after, "{booked} J of {after} J");
     simulation.step(400).unwrap();
-    // RK4 at 2 ms: what is left is rounding of 1e4 J and h^4 of a swing of 3 s.
+    // RK4 at 2 ms: the remaining error is the rounding of 1e4 J, and h^4 of a swing of 3 s.
     for variable in ["energy_error", "linear_momentum_error", "momentum_error"] {
         let worst = values(&mut simulation, variable).iter().fold(0.0_f64, |worst, error| worst.max(error.abs()));
         assert!(worst < 1e-6, "{variable}: {worst}");
@@ -149,7 +149,7 @@ fn a_live_parameter_that_changes_the_structure_is_refused_by_its_name() {
 }
 
 #[test]
-fn a_snapshot_belongs_to_the_values_that_it_was_taken_with() {
+fn a_snapshot_is_valid_only_for_the_values_at_its_time() {
     let (mut scenario, mut simulation) = boat(&[]);
     simulation.step(50).unwrap();
     let snapshot = simulation.snapshot();
@@ -168,7 +168,7 @@ fn a_snapshot_belongs_to_the_values_that_it_was_taken_with() {
 }
 
 #[test]
-fn a_reset_leads_to_the_start_with_the_value_that_was_set() {
+fn a_reset_returns_to_the_start_with_the_new_value() {
     let (mut scenario, mut simulation) = boat(&[]);
     simulation.step(50).unwrap();
     scenario.set_parameter(&mut simulation, "wind_m_s", &json!(15)).unwrap();
@@ -184,7 +184,7 @@ fn a_reset_leads_to_the_start_with_the_value_that_was_set() {
 }
 
 #[test]
-fn the_described_model_says_which_parameters_are_live() {
+fn the_description_marks_the_live_parameters() {
     let (mut scenario, mut simulation) = boat(&[]);
     scenario.set_parameter(&mut simulation, "wind_m_s", &json!(9)).unwrap();
     let described = scenario.describe().expect("it builds").parameters;
@@ -194,7 +194,7 @@ fn the_described_model_says_which_parameters_are_live() {
 }
 
 #[test]
-fn parameters_set_under_way_are_known_until_a_reset_and_back_to_a_snapshot() {
+fn parameters_set_during_a_run_are_recorded_until_a_reset_and_removed_by_a_snapshot() {
     let (mut scenario, mut simulation) = boat(&[]);
     let known = |simulation: &Simulation| {
         simulation.parameters_set().into_iter().map(|set| (set.time_s, set.parameter)).collect::<Vec<_>>()

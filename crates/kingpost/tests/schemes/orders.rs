@@ -130,7 +130,7 @@ fn runge_kutta_keeps_its_order_on_every_kind_of_joint() {
 }
 
 #[test]
-fn torque_edges_off_the_step_grid_do_not_cost_the_order() {
+fn torque_edges_off_the_step_grid_do_not_reduce_the_order() {
     // The pulse's edges at 0.25, 0.75, ... s fall inside steps of 0.04 s; they end steps all the same.
     let at = |step_s: f64| {
         let mut simulation = paper(&[("torque_history", json!("pulse")), ("simulation.step_s", json!(step_s))]);

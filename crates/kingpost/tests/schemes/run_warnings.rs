@@ -1,4 +1,4 @@
-//! Warnings of the engine in a run: rods that stand for ropes, and hulls beyond linear theory.
+//! Warnings of the engine in a run: rods that represent ropes, and hulls outside the range of linear theory.
 
 use kingpost::elements::hull::LinearLimits;
 use kingpost::elements::{MeanHeading, Watcher, significant};
@@ -41,10 +41,10 @@ fn pushed_n(warning: &Warning) -> f64 {
     words.split(' ').next().and_then(|word| word.parse().ok()).expect("a number")
 }
 
-/// Let go from rest it carries m g cos(angle) along the rod first, to the share that the sphere's own inertia changes, at the
-/// angle itself none: beyond 90 degrees it pushes.
+/// Released from rest, the rod first carries m g cos(angle), except for the share of the sphere's inertia,
+/// which is zero at the angle itself: beyond 90 degrees it pushes.
 #[test]
-fn a_pendant_that_goes_over_the_top_is_warned_of() {
+fn a_pendant_that_goes_over_the_top_gives_a_warning() {
     let angle = f64::to_radians(122.0);
     let warnings = pendant(angle, None).warnings;
     let [push, over] = warnings.as_slice() else { panic!("{warnings:?}") };
@@ -59,7 +59,7 @@ fn a_pendant_that_goes_over_the_top_is_warned_of() {
 }
 
 #[test]
-fn a_pendant_that_hangs_is_not_warned_of_and_what_a_spring_keeps_is_none() {
+fn a_hanging_pendant_and_one_on_a_spring_give_no_warning() {
     assert!(pendant(f64::to_radians(60.0), None).warnings.is_empty());
     let spring = json!({"stiffness_N_m_per_rad": 1.0, "rest_rad": 0.0});
     assert!(pendant(f64::to_radians(122.0), Some(spring)).warnings.is_empty());
@@ -77,9 +77,9 @@ fn rod(height_m: f64, orientation_rad: [f64; 3]) -> Run {
     }))
 }
 
-/// It carries the weight: from above it pulls, from below it pushes, whatever its axes are.
+/// The rod carries the weight: from above it pulls, from below it pushes, for any directions of its axes.
 #[test]
-fn a_massless_rod_that_holds_its_load_up_is_warned_of() {
+fn a_massless_rod_in_compression_gives_a_warning() {
     for orientation in [[0.0; 3], [0.7, -0.4, 1.2]] {
         assert!(rod(6.5, orientation).warnings.is_empty());
         let warnings = rod(12.5, orientation).warnings;
@@ -107,7 +107,7 @@ fn warned(rows: &[[f64; 3]]) -> Vec<Warning> {
 }
 
 #[test]
-fn a_hull_by_linear_theory_is_warned_of_where_it_heels_or_trims_too_far() {
+fn a_linear_hull_with_excessive_heel_or_trim_gives_a_warning() {
     let found = warned(&[[0.0, 0.0, 5.0], [-21.0, 5.0, 5.0], [3.0, 25.0, 5.0]]);
     let [heel, trim] = found.as_slice() else { panic!("{found:?}") };
     assert!(heel.text.starts_with("it heeled to -21.00 deg, at 1 s") && heel.time_s == 1.0, "{}", heel.text);
@@ -115,18 +115,19 @@ fn a_hull_by_linear_theory_is_warned_of_where_it_heels_or_trims_too_far() {
     assert!(warned(&[[0.0, 0.0, 5.0], [19.0, -19.0, 5.5]]).is_empty());
 }
 
-/// Sunk by 4 m upright the deck, 3 m over the centre of mass, is 0.5 m under where the centre is at -3.5 m.
+/// If the hull sinks by 4 m upright, the deck, 3 m above the centre of mass, is 0.5 m under water when the
+/// centre is at -3.5 m.
 #[test]
-fn a_hull_by_linear_theory_is_warned_of_where_it_sinks_and_its_deck_goes_under() {
+fn a_linear_hull_whose_deck_submerges_gives_a_warning() {
     let found = warned(&[[0.0, 0.0, 0.5], [0.0, 0.0, -1.0], [0.0, 0.0, -3.5], [0.0, 0.0, -3.2]]);
     let [sank, deck] = found.as_slice() else { panic!("{found:?}") };
     assert!(sank.text.starts_with("it sank by 4.00 m, at 2 s"), "{}", sank.text);
     assert!(deck.text.contains("deck went 0.50 m under still water, first at 2 s"), "{}", deck.text);
 }
 
-/// At a heel of 30 degrees the deck's edge is 3 sin 30 under and 3 cos 30 over the centre of mass.
+/// At a heel of 30 degrees the deck's edge is 3 sin 30 below and 3 cos 30 above the centre of mass.
 #[test]
-fn the_edge_of_a_deck_goes_under_on_the_side_that_heels() {
+fn the_deck_edge_submerges_on_the_lower_side() {
     let lowest = 3.0 * (f64::to_radians(30.0).cos() - f64::to_radians(30.0).sin());
     let under =
         |centre: f64| warned(&[[0.0, 0.0, centre], [30.0, 0.0, centre]]).iter().any(|w| w.text.contains("deck"));
@@ -152,9 +153,9 @@ fn a_mean_heading_counts_from_its_start_and_through_full_turns() {
     assert!(turned.text.starts_with(begin) && turned.time_s == 48.0 && turned.name == "hull", "{turned:?}");
 }
 
-/// Yaw of 20 degrees with waves of 15 s leaves 0.5 degrees in the mean, however long it lasts.
+/// Yaw of 20 degrees with waves of 15 s changes the mean by 0.5 degrees, for any duration.
 #[test]
-fn yaw_with_the_waves_is_no_turn_of_the_mean_heading() {
+fn yaw_at_wave_frequency_does_not_change_the_mean_heading() {
     let wave = |time_s: f64| 20.0 * libm::sin(core::f64::consts::TAU * time_s / 15.0);
     assert!(headed(|time_s| 178.0 + wave(time_s)).is_empty());
     assert_eq!(headed(|time_s| 178.0 + wave(time_s) - 0.01 * time_s).len(), 1);
@@ -170,7 +171,7 @@ fn oscillator(integrator: &str, step_s: f64) -> Vec<Warning> {
 
 /// Euler's forward step multiplies the energy of an oscillator by 1 + (omega h)^2: by 1.01^50 after 50 steps of 10 ms.
 #[test]
-fn a_run_whose_energy_grows_by_its_scheme_is_warned_of_and_one_that_keeps_it_is_not() {
+fn a_run_whose_scheme_adds_energy_gives_a_warning_and_one_that_conserves_it_does_not() {
     let warnings = oscillator("forward_euler", 0.01);
     let [warning] = warnings.as_slice() else { panic!("{warnings:?}") };
     assert_eq!((warning.name.as_str(), warning.time_s), ("energy", 0.5));

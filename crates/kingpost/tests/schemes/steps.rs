@@ -1,4 +1,4 @@
-//! Stepping: the same bits after a snapshot, nothing allocated, divergence seen.
+//! Stepping: bitwise identical runs after a snapshot, no allocation, detection of divergence.
 
 use crate::common;
 
@@ -15,7 +15,7 @@ thread_local! {
     static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
 }
 
-/// Counts what this thread allocates.
+/// Counts the allocations of this thread.
 struct Counting;
 
 // SAFETY: every call is handed to the system allocator unchanged.
@@ -120,7 +120,7 @@ fn a_step_allocates_nothing_with_a_closed_loop() {
 }
 
 #[test]
-fn a_snapshot_taken_anywhere_resumes_to_the_same_bits() {
+fn a_run_from_any_snapshot_is_bitwise_identical() {
     for integrator in common::INTEGRATORS {
         let build = || {
             paper(&[
@@ -187,7 +187,7 @@ fn euler_with_a_large_step_diverges_and_keeps_what_it_computed() {
     }
 }
 
-/// 1 kg that a force pushes along a slide: its speed stays a number, its kinetic energy does not.
+/// 1 kg that a force pushes along a slide: its speed stays finite, its kinetic energy does not.
 const PUSHED: &str = "
 version: 1
 title: A force beyond all forces
@@ -202,7 +202,7 @@ drives:
 ";
 
 #[test]
-fn a_row_that_has_no_numbers_ends_a_run_and_is_not_kept() {
+fn a_row_that_is_not_finite_ends_the_run_and_is_not_kept() {
     let pushed = PUSHED.replace("force_N: 1}", "force_N: 1e158}");
     let run = common::simulation(&pushed).run(|_| true);
     let Err(RunError::NoNumber { time_s, ref column, value }) = run.status else { panic!("{:?}", run.status) };
@@ -212,7 +212,7 @@ fn a_row_that_has_no_numbers_ends_a_run_and_is_not_kept() {
 }
 
 #[test]
-fn beside_others_it_ends_that_run_alone() {
+fn a_row_that_is_not_finite_ends_only_its_run_among_several() {
     let forces = [json!(1.0), json!(2.0), json!(1e158), json!(3.0)];
     let variant = |force: &serde_json::Value| vec![("drives.push.linear_motor.force_N".to_owned(), force.clone())];
     let variants: Vec<Variant> = forces.iter().map(variant).collect();
@@ -224,7 +224,7 @@ fn beside_others_it_ends_that_run_alone() {
 }
 
 #[test]
-fn states_that_cannot_be_are_refused_and_change_nothing() {
+fn invalid_states_are_refused_and_change_nothing() {
     let mut simulation = paper(&[]);
     let before = simulation.snapshot();
     let (q, v) = (simulation.state().q.clone(), simulation.state().v.clone());
@@ -260,7 +260,7 @@ fn a_lever_scales_its_motor_from_the_next_step_on() {
 }
 
 #[test]
-fn what_is_recorded_between_edges_is_what_the_motor_does_then() {
+fn rows_between_edges_record_the_torque_at_their_time() {
     // A step of 0.04 s holds the edge at 0.25 s; at 0.24 s the ramp has reached 96 %.
     let mut simulation = paper(&[("torque_history", json!("pulse")), ("simulation.step_s", json!(0.04))]);
     simulation.step(6).unwrap();
@@ -269,7 +269,7 @@ fn what_is_recorded_between_edges_is_what_the_motor_does_then() {
 }
 
 #[test]
-fn a_prescribed_rate_that_was_tampered_with_is_set_right_by_the_next_step() {
+fn the_next_step_restores_a_prescribed_rate_that_was_changed() {
     let mut simulation = common::simulation(&common::everything("recursive"));
     simulation.step(300).unwrap();
     let mut other = simulation.clone();

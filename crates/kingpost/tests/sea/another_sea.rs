@@ -1,4 +1,4 @@
-//! Another sea under a run: what may happen yet, from a state that it had.
+//! Change of the waves during a run: forecasts from a state of the run.
 
 use super::vessel;
 use kingpost::simulation::{InputError, Simulation};
@@ -35,7 +35,7 @@ fn amplitudes_and_phases(simulation: &Simulation) -> (Vec<f64>, Vec<f64>) {
 }
 
 #[test]
-fn in_its_own_sea_a_run_goes_on_to_the_same_bits_after_it_was_in_another() {
+fn back_in_its_sea_a_run_continues_bitwise_identically() {
     let mut run = simulation(&[]);
     run.step(200).unwrap();
     let snapshot = run.snapshot();
@@ -55,9 +55,10 @@ fn in_its_own_sea_a_run_goes_on_to_the_same_bits_after_it_was_in_another() {
     assert_eq!(row(&mut run), expected);
 }
 
-/// At the moment of the change too, at which the force in the sea before has been asked for.
+/// The check includes the time of the change, at which the force in the previous sea has already been
+/// evaluated.
 #[test]
-fn the_waves_that_are_set_are_those_of_a_scenario_that_has_them() {
+fn waves_set_during_a_run_act_like_those_of_a_scenario() {
     let waves = "sea.waves.swell.regular";
     let (height, phase) = (format!("{waves}.height_m"), format!("{waves}.phase_rad"));
     let mut expected = simulation(&[(&height, json!(3.0)), (&phase, json!(0.7))]);

@@ -1,4 +1,4 @@
-//! The liquid in a box that stands in any way: closed forms, its energy's gradient, derivatives, lanes.
+//! Liquid in a box with any orientation: closed forms, gradient of the energy, derivatives, lanes.
 
 use crate::common::hulls;
 
@@ -24,8 +24,8 @@ fn all_near(found: Vector3, expected: [f64; 3], allowed: f64) {
     }
 }
 
-/// Wall-sided: the wedge goes over by `I tan / V`, and up by half of that times tan (Barrass & Derrett, *Ship
-/// Stability for Masters and Mates*, ch. on free surface).
+/// Wall-sided box: the wedge moves sideways by `I tan / V`, and up by half of that times tan (Barrass &
+/// Derrett, *Ship Stability for Masters and Mates*, ch. on free surface).
 #[test]
 fn until_its_surface_meets_top_or_bottom_the_liquid_moves_as_between_upright_walls() {
     let [along, across] = [EDGES[1] * EDGES[0].powi(3) / 12.0, EDGES[0] * EDGES[1].powi(3) / 12.0];
@@ -36,9 +36,9 @@ fn until_its_surface_meets_top_or_bottom_the_liquid_moves_as_between_upright_wal
     }
 }
 
-/// On a side the liquid is a box against that side, from end to end the other ways.
+/// On its side, the liquid is a box against that side, over the full extent in the other directions.
 #[test]
-fn on_its_side_and_upside_down_the_liquid_lies_as_by_hand() {
+fn on_its_side_and_upside_down_the_liquid_has_the_position_of_a_hand_calculation() {
     for filling in [0.1, 0.5, 0.8] {
         let (volume, air) = (filling * whole(), 1.0 - filling);
         let [length, breadth, height] = EDGES;
@@ -77,7 +77,7 @@ fn in_a_corner_and_along_an_edge_the_liquid_is_a_tetrahedron_and_a_prism() {
 }
 
 #[test]
-fn an_empty_and_a_full_tank_have_nothing_that_moves() {
+fn an_empty_and_a_full_tank_have_no_free_surface() {
     for filling in [0.0, 1.0] {
         for vertical in [Vector3::new(0.0, 0.0, 1.0), Vector3::new(0.3, -0.4, 0.2), Vector3::new(-1.0, 1.0, -1.0)] {
             let vertical = vertical.direction();
@@ -88,11 +88,11 @@ fn an_empty_and_a_full_tank_have_nothing_that_moves() {
 }
 
 #[test]
-fn what_is_no_number_stays_none_and_ends() {
+fn nan_stays_nan_and_the_search_ends() {
     assert!(tank(0.5).shift(Vector3::new(f64::NAN, 0.0, 1.0)).norm().is_nan());
 }
 
-/// `i = l (b / cos)^3 / 12` where the surface, heeled, is between walls; along the ship `b / cos l^3 / 12`.
+/// `i = l (b / cos)^3 / 12` if the heeled surface is between walls; along the ship `b / cos l^3 / 12`.
 #[test]
 fn the_second_moments_of_a_heeled_surface_are_those_of_its_rectangle() {
     let heel = 0.3_f64;
@@ -118,8 +118,9 @@ fn any_tank() -> impl Strategy<Value = (BoxTank, Vector3)> {
 }
 
 proptest! {
-    /// The surface moves liquid along itself only, so that the rate of `n . V (c - c0)` with n is `V (c - c0)`
-    /// where the volume is constant: exact, so to rounding. It is divided by how thin the surface may be.
+    /// The surface moves liquid only along itself, so the derivative of `n . V (c - c0)` with respect to n is
+    /// `V (c - c0)` at constant volume: exact, so the error is rounding. It is divided by the smallest
+    /// thickness of the surface.
     #[test]
     fn the_moment_is_the_gradient_of_the_energy((tank, vertical) in any_tank()) {
         let dual = BoxTank {
@@ -134,7 +135,8 @@ proptest! {
         prop_assert!((vertical.cross(gradient) - moment).norm() < 1e-12 * size, "{gradient:?} {moment:?}");
     }
 
-    /// Differences over h err by h^2 times the third derivative, and by its jump where the surface passes a corner.
+    /// The error of differences over h is h^2 times the third derivative, or times its jump where the surface
+    /// passes a corner.
     #[test]
     fn derivatives_along_everything_are_central_differences((tank, vertical) in any_tank()) {
         let h = 1e-5;
@@ -154,7 +156,8 @@ proptest! {
         }
     }
 
-    /// Half full the surface is through the middle of the box: moments by the mesh of a hull, cut there.
+    /// With half filling, the surface passes through the middle of the box: its moments are those of a hull
+    /// mesh cut there.
     #[test]
     fn a_tank_half_full_is_a_hull_in_water_to_its_middle((tank, vertical) in any_tank(), turn in 0.0..6.3_f64) {
         let tank = BoxTank { filling: 0.5, ..tank };
@@ -174,7 +177,7 @@ proptest! {
     }
 
     #[test]
-    fn a_lane_has_the_bits_that_it_has_alone(all in prop::array::uniform4(any_tank())) {
+    fn a_lane_is_bitwise_identical_to_a_single_tank(all in prop::array::uniform4(any_tank())) {
         let lanes = |of: &dyn Fn(&(BoxTank, Vector3)) -> f64| Lanes::new([0, 1, 2, 3].map(|k| of(&all[k])));
         let together = BoxTank {
             edges: Vector3([0, 1, 2].map(|axis| lanes(&|(tank, _)| tank.edges[axis]))),

@@ -1,4 +1,4 @@
-//! The elastic catenary against closed forms, its own energy, and a published mooring.
+//! The elastic catenary against closed forms, its energy, and a published mooring.
 
 use kingpost::elements::lines::{Catenary, EndForce, Span};
 use kingpost::scalar::{Dual, LANES, Lanes, Scalar};
@@ -16,7 +16,8 @@ fn spans() -> impl Iterator<Item = Span> {
     heights.into_iter().flat_map(|up| [1e-3, 5.0, 45.0, 79.0, 82.0, 99.5, 130.0].map(|across| Span { across, up }))
 }
 
-/// Without stretch: `z = a (cosh(x_s/a) - 1)`, `L_s = a sinh(x_s/a)`, a = H/w, and what is left of L lies on the seabed.
+/// Without stretch: `z = a (cosh(x_s/a) - 1)`, `L_s = a sinh(x_s/a)`, a = H/w; the remainder of L lies on the
+/// seabed.
 #[test]
 fn an_inextensible_line_is_the_textbook_catenary() {
     for a in [3.0, 20.0, 90.0] {
@@ -41,7 +42,7 @@ fn an_inextensible_line_is_the_textbook_catenary() {
 }
 
 #[test]
-fn the_force_that_is_found_puts_the_ends_where_they_are() {
+fn the_computed_force_places_the_ends_at_their_positions() {
     for stiffness in [3e4, 1e6, 1e9] {
         for (span, on_seabed) in spans().flat_map(|span| [(span, true), (span, false)]) {
             let line = line(stiffness, on_seabed);
@@ -55,7 +56,7 @@ fn the_force_that_is_found_puts_the_ends_where_they_are() {
     }
 }
 
-/// Irvine's straight line: T = EA (d / L - 1), where its weight is nothing beside it.
+/// Irvine's straight line: T = EA (d / L - 1), if its weight is negligible.
 #[test]
 fn a_taut_line_is_a_spring() {
     let light = Catenary { weight: 1e-3, ..line(5e6, true) };
@@ -132,7 +133,7 @@ fn the_energy_is_that_of_weight_and_stretch() {
     }
 }
 
-/// Across the touchdown of the whole line and across slackness force and stiffness are continuous, though the
+/// At touchdown of the whole line and where it becomes slack, force and stiffness are continuous although the
 /// formulas change.
 #[test]
 fn nothing_jumps_where_the_line_lifts_off_or_goes_slack() {
@@ -155,9 +156,9 @@ fn nothing_jumps_where_the_line_lifts_off_or_goes_slack() {
     }
 }
 
-/// Each lane has the bits that it has alone, whatever the others do.
+/// Each lane is bitwise identical to a single run.
 #[test]
-fn lanes_of_slack_and_taut_lines_have_the_bits_that_they_have_alone() {
+fn lanes_of_slack_and_taut_lines_are_bitwise_identical_to_single_lines() {
     let all: Vec<Span> = spans().collect();
     for four in all.chunks_exact(LANES) {
         let c = Lanes::constant;

@@ -1,4 +1,5 @@
-//! Columns of the results in regular waves: the motions by another way, Newton's law, what the waves are themselves.
+//! Frequency response of the columns of results: motions computed in another way, Newton's law, and the waves
+//! themselves.
 
 use crate::common;
 
@@ -28,7 +29,7 @@ fn response(scenario: &Scenario, columns: &[&str]) -> ColumnResponse {
     found.unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// A barge that lists, whose mast stands aside, so that all motions are coupled.
+/// A barge with a list, whose mast is off the middle, so that all motions are coupled.
 fn listing() -> Scenario {
     scenario(&[("shift_m", json!(0.3))])
 }
@@ -53,9 +54,10 @@ fn assert_near(found: Complex<f64>, expected: Complex<f64>, scale: f64, what: &s
     assert!(size(found - expected) <= 1e-9 * scale, "{what}: {found} beside {expected}");
 }
 
-/// Source: the response of places, angles and coordinates by the bodies' Jacobians, without rows of results.
+/// Source: the response of positions, angles and coordinates by the bodies' Jacobians, without rows of
+/// results.
 #[test]
-fn positions_angles_and_coordinates_answer_as_in_the_response_of_motions() {
+fn positions_angles_and_coordinates_have_the_frequency_response_of_motions() {
     let barge = listing();
     let found = response(&barge, &[]);
     let motions: WaveResponse = barge.wave_response(&simulation(&barge), &grid()).expect("it answers");
@@ -130,7 +132,7 @@ fn the_hull_shows_the_waves_and_their_force() {
     }
 }
 
-/// Source: z less the elevation of the wave at the place of the point, `e^(i k . r)`.
+/// Source: z minus the elevation of the wave at the position of the point, `e^(i k . r)`.
 #[test]
 fn an_air_gap_is_the_height_over_the_wave_at_its_place() {
     let sensors = json!({"gap": {"air_gap": {"body": "hull", "position_m": [8.0, -3.0, 5.0]}}});
@@ -151,7 +153,7 @@ fn an_air_gap_is_the_height_over_the_wave_at_its_place() {
 }
 
 #[test]
-fn what_is_not_in_proportion_says_why() {
+fn a_column_without_a_frequency_response_has_a_reason() {
     let found = response(&scenario(&[]), &[]);
     let reason = |name: &str| {
         let column = found.columns.iter().position(|column| column == name).unwrap_or_else(|| panic!("{name}"));
@@ -173,7 +175,7 @@ fn what_is_not_in_proportion_says_why() {
 }
 
 #[test]
-fn a_resonance_gets_frequencies_of_its_own() {
+fn a_resonance_gets_additional_frequencies() {
     let light = [
         ("bodies.load.joint.universal.first.damping_N_m_s", json!(100.0)),
         ("bodies.load.joint.universal.second.damping_N_m_s", json!(100.0)),
@@ -195,7 +197,7 @@ fn a_resonance_gets_frequencies_of_its_own() {
 }
 
 #[test]
-fn a_column_that_is_not_there_is_an_error() {
+fn a_column_that_does_not_exist_is_an_error() {
     let barge = scenario(&[]);
     let columns = ["hull.rol".to_owned()];
     let found = barge.column_response(&simulation(&barge), &grid(), &columns, false);

@@ -1,4 +1,5 @@
-//! Currents that change with the depth, the speed of them that a load is of, and damping relative to water or earth.
+//! Currents that vary with depth, the velocity that a load uses, and damping relative to the water or the
+//! earth.
 
 use crate::common;
 
@@ -49,7 +50,7 @@ fn the_speed_of_a_table_is_that_at_a_depth_or_a_mean_over_the_draught() {
 
 /// The power law's means: U h / T (1 - (1 - T / h)^(n + 1)) / (n + 1); at a depth U (1 - d / h)^n.
 #[test]
-fn so_is_that_of_a_power_law() {
+fn the_speed_of_a_power_law_is_that_at_a_depth_or_a_mean_over_the_draught() {
     let sea = "depth_m: 20, current_m_s: [2, 0], current_profile: {power_law: {exponent: 0.2}}";
     let mean = 2.0 * 20.0 / 8.0 * (1.0 - libm::pow(0.6, 1.2)) / 1.2;
     assert!((speed(sea, ", draught_m: 8, speed: mean") - mean).abs() < 1e-14);
@@ -57,9 +58,9 @@ fn so_is_that_of_a_power_law() {
     assert_eq!(speed(sea, ", speed: {at_depth: {depth_m: 20}}"), 0.0);
 }
 
-/// Drag is V |V|: of a current that turns round with the depth, as much as what is left of its halves.
+/// Drag is V |V|: for a current that reverses with depth, that of the difference of both halves.
 #[test]
-fn a_current_that_turns_round_presses_with_the_difference() {
+fn a_current_that_reverses_with_depth_acts_with_the_difference() {
     let table =
         "table: {depths_m: [0, 10, 10.001, 20], speeds_m_s: [1, 1, 0.5, 0.5], directions_deg: [0, 0, 180, 180]}";
     let found = values(&mut simulation(&ship(&profile(table), ", draught_m: 20")), "flow_force")[0];
@@ -79,7 +80,7 @@ fn a_load_of_a_table_is_linearised_exactly() {
 }
 
 #[test]
-fn profiles_that_cannot_be_are_refused() {
+fn invalid_profiles_are_refused() {
     let refused = |sea: &str, load: &str, message: &str| {
         let error = read(&ship(sea, load), "test.yaml", &[]).expect_err("it is refused").to_string();
         assert!(error.contains(message), "{error}");
@@ -101,8 +102,8 @@ fn profiles_that_cannot_be_are_refused() {
     refused(&profile(TABLE), deep, "current_load.speed.at_depth.depth_m: found 51, allowed: at most sea.depth_m, 50");
 }
 
-/// A ship whose damping is relative to the earth stays in a current, one whose damping is relative to the water goes with it by
-/// v = U (1 - e^(-c t / m)) or, quadratic, U (1 - 1 / (1 + c U t / m)).
+/// A ship whose damping is relative to the earth stays in a current; a ship whose damping is relative to the
+/// water is carried along by v = U (1 - e^(-c t / m)) or, quadratic, U (1 - 1 / (1 + c U t / m)).
 #[test]
 fn damping_is_relative_to_the_water_or_to_the_earth() {
     let after_50_s = |damping: &str, start: &str| {

@@ -1,4 +1,4 @@
-//! The drift of waves on a hull that moves, against Aranha's formula, and what `check` says of a current.
+//! Mean drift of waves on a moving hull against Aranha's formula, and the report of `check` about a current.
 
 use crate::common;
 
@@ -51,7 +51,7 @@ fn read(more: &[(&str, Value)]) -> Result<Scenario, ScenarioError> {
     read_with(barge::TEXT, "barge.yaml", &overrides, &files())
 }
 
-/// Surge, sway and yaw of the drift where a run begins with a velocity in the world, in a current.
+/// Mean drift in surge, sway and yaw at the start of a run with a velocity in the world, in a current.
 fn drift(velocity: [f64; 2], current: [f64; 2]) -> [f64; 3] {
     let [x, y] = velocity;
     let more =
@@ -77,10 +77,10 @@ fn aranha(velocity: [f64; 2], current: [f64; 2]) -> [f64; 3] {
     [factor * surge, factor * sway, yaw].map(|drift| AMPLITUDE_M * AMPLITUDE_M * drift)
 }
 
-/// The engine has it to first order: the difference of two velocities, against that of the formula, whose terms of third order
-/// are left at 1 cm/s, (w V / g)^2 of them.
+/// The engine uses the first order: the difference of two velocities is compared with that of the formula;
+/// the remaining terms of third order are (w V / g)^2 of it at 1 cm/s.
 #[test]
-fn the_drift_changes_with_the_velocity_as_aranhas_formula_has_it() {
+fn the_drift_changes_with_the_velocity_by_aranhas_formula() {
     let at_rest = drift([0.0; 2], [0.0; 2]);
     for (found, expected) in at_rest.iter().zip(aranha([0.0; 2], [0.0; 2])) {
         assert!((found / expected - 1.0).abs() < 1e-6, "{found} {expected}");
@@ -102,8 +102,8 @@ fn the_drift_changes_with_the_velocity_as_aranhas_formula_has_it() {
     }
 }
 
-/// A ship that goes against the waves meets more drift, one that goes with them less: slow surge is damped, and a current along
-/// the waves adds to the drift.
+/// A ship that moves against the waves has more drift, one that moves with them less: slow surge is damped,
+/// and a current along the waves adds to the drift.
 #[test]
 fn slow_motions_are_damped_and_a_current_with_the_waves_adds_to_the_drift() {
     let (sin, cos) = libm::sincos(DIRECTION_RAD);
@@ -117,8 +117,8 @@ fn slow_motions_are_damped_and_a_current_with_the_waves_adds_to_the_drift() {
     assert!(with < still && still < against && still < in_current, "{with} {still} {against} {in_current}");
 }
 
-/// Checks that the drift that is shown acts: without added mass and radiation a free hull's centre accelerates by the
-/// force over its mass.
+/// Checks that the reported drift acts: without added mass and radiation the centre of a free hull
+/// accelerates by the force over its mass.
 #[test]
 fn the_drift_of_a_moving_hull_acts_on_it() {
     let velocity = json!([0.4, -0.3, 0.0]);
@@ -148,7 +148,7 @@ fn the_drift_of_a_moving_hull_acts_on_it() {
 }
 
 #[test]
-fn it_needs_a_drift_to_change() {
+fn drift_damping_without_mean_drift_is_refused() {
     let error = read(&[(&format!("{WATER}.wave_drift"), json!(false))]).and_then(|scenario| scenario.setup().map(drop));
     let words = error.expect_err("it is refused").to_string();
     assert!(words.contains("wave_drift_damping: found true, without wave_drift"), "{words}");
@@ -160,9 +160,10 @@ fn warnings(more: &[(&str, Value)]) -> Vec<String> {
     found.into_iter().filter(|words| words.contains("current")).collect()
 }
 
-/// 2 U w cos / g of the lengths, 4 (w / g) U cos of the drift and what the turned direction does: the sizes of the formulas.
+/// 2 U w cos / g of the lengths, 4 (w / g) U cos of the drift and the effect of the changed direction: the
+/// magnitudes of the formulas.
 #[test]
-fn check_says_how_much_a_current_would_change() {
+fn the_check_reports_the_change_of_wave_length_and_drift_by_a_current() {
     let current = 0.6;
     let with_waves = json!([current * libm::cos(DIRECTION_RAD), current * libm::sin(DIRECTION_RAD)]);
     assert!(warnings(&[]).is_empty());

@@ -1,4 +1,4 @@
-//! Dynamic positioning against closed forms: ships that are held.
+//! Dynamic positioning of ships against closed forms.
 
 use crate::common;
 
@@ -70,7 +70,7 @@ fn gains(m: f64, period: f64, damping: f64) -> [f64; 2] {
 /// Surge, sway and yaw of a free ship are the linear system of its mass, its gains and the thrusters' time constant; with
 /// fast thrusters the oscillator of the given period and damping.
 #[test]
-fn a_free_ship_returns_as_its_period_and_damping_say() {
+fn a_free_ship_returns_with_its_period_and_damping() {
     let target = ", target: {x_m: 100, y_m: 50, heading_deg: 30}";
     let (sin, cos) = libm::sincos(PI / 6.0);
     let sway_first =
@@ -104,10 +104,10 @@ fn a_free_ship_returns_as_its_period_and_damping_say() {
     assert!((ship.state().q[0] - expected).abs() < 3.0 * omega * 1e-3);
 }
 
-/// With gains that are alike in surge and sway a ship goes straight to its target however it turns meanwhile, and it turns
-/// the short way over pi.
+/// With equal gains in surge and sway a ship moves straight to its target, however it rotates meanwhile, and
+/// it rotates by the smaller angle across pi.
 #[test]
-fn a_turning_ship_goes_straight_and_turns_the_short_way() {
+fn a_ship_moves_straight_to_its_target_and_turns_by_the_smaller_angle() {
     let quick = STRONG.replace("time_constant_s: 2", "time_constant_s: 0.01");
     let initial = "position_m: [4, -3, 0], orientation_deg: [0, 0, -170]";
     let dp = positioning(GAINS, &quick, ", target: {heading_deg: 170}");
@@ -166,9 +166,10 @@ fn the_integral_takes_a_constant_load_in_its_time() {
 const WEAK: &str = "bow: {tunnel: {position_m: [30, 0, 0], max_thrust_kN: 50, time_constant_s: 2}}, \
                     stern: {azimuth: {position_m: [-30, 0, 0], max_thrust_kN: 120, time_constant_s: 2}}";
 
-/// Far from its target a ship gets what its thrusters have, along the way there, and no thruster more than it has.
+/// Far from its target a ship gets the full thrust of its thrusters in the direction of the target, and no
+/// thruster exceeds its limit.
 #[test]
-fn beyond_its_limits_a_ship_is_pushed_straight_by_all_that_a_thruster_has() {
+fn beyond_its_limits_the_thrust_keeps_its_direction_at_the_largest_magnitude() {
     let initial = "position_m: [300, 400, 0]";
     let mut ship = simulation(&ship(initial, &positioning(GAINS, WEAK, ""), ""));
     let (command, force) = (values(&mut ship, "station_command"), values(&mut ship, "station_force"));
@@ -199,8 +200,8 @@ fn thrust_acts_where_the_thruster_is() {
     assert!((a[5] * INERTIA - (force[2] + 5.0 * force[1])).abs() < 1e-4);
 }
 
-/// A ship that comes from far with thrusters at their limits does not pile up its integral: without, it shoots past its
-/// target by far more.
+/// The integral of a ship that comes from far with thrusters at their limits does not wind up: otherwise the
+/// ship would overshoot its target by much more.
 #[test]
 fn an_integral_does_not_wind_up_while_thrusters_are_at_their_limits() {
     let with_integral = GAINS.replace("integral: false, ", "");
@@ -228,7 +229,7 @@ fn at_sea(text: &str, pairs: &[(&str, serde_json::Value)]) -> Simulation {
     read_with(text, "test.yaml", &pairs, &barge::files()).expect("it reads").simulation().expect("it builds")
 }
 
-/// At rest a ship is where it is to be, and its thrusters give what the current takes; it stays.
+/// At rest a ship is at its target, and its thrusters balance the load of the current; it stays there.
 #[test]
 fn an_equilibrium_is_on_station_with_the_mean_load_in_the_integrals() {
     let mut ship = at_sea(&station(AT_REST), &[]);
@@ -247,7 +248,7 @@ fn an_equilibrium_is_on_station_with_the_mean_load_in_the_integrals() {
     }
 }
 
-/// A current that takes more than the thrusters have is told before the run.
+/// A current load beyond the capacity of the thrusters is reported before the run.
 #[test]
 fn an_equilibrium_beyond_the_thrusters_is_refused_by_name() {
     let weak = station(AT_REST).replace("max_thrust_kN: 40", "max_thrust_kN: 8");
@@ -277,9 +278,9 @@ fn a_ship_holds_its_station_in_current_and_waves() {
     assert!(thrust < 4e4, "the thrusters answer the waves: {thrust} N");
 }
 
-/// Checks that the bits are the same after a snapshot, and those of each run in a batch of several.
+/// Checks that a run after a snapshot, and each run in a batch of several, is bitwise identical.
 #[test]
-fn snapshots_and_batches_give_the_same_bits() {
+fn snapshots_and_batches_are_bitwise_identical() {
     let mut ship = at_sea(&station(""), &[]);
     ship.step(700).unwrap();
     let bytes = ship.snapshot();
@@ -350,7 +351,7 @@ fn positioning_is_linearised_exactly() {
     }
 }
 
-/// How the beginning at rest, and the run from there, change with the current.
+/// Derivatives of the rest at the start, and of the run from there, with respect to the current.
 #[test]
 fn equilibria_have_their_derivatives() {
     let short = station(AT_REST).replace("duration_s: 20", "duration_s: 1");
@@ -384,7 +385,7 @@ fn equilibria_have_their_derivatives() {
 }
 
 #[test]
-fn what_cannot_hold_a_ship_is_refused() {
+fn a_positioning_that_cannot_hold_a_ship_is_refused() {
     let refused = |gains: &str, thrusters: &str, more: &str, message: &str| {
         let text = ship("", &positioning(gains, thrusters, more), "");
         let error = read(&text, "test.yaml", &[]).and_then(|s| s.setup().map(drop)).unwrap_err().to_string();

@@ -1,4 +1,5 @@
-//! Gusts: their spectra against the published formulas, a realisation against its spectrum, and what they do to a ship.
+//! Gusts: spectra against the published formulas, a realisation against its spectrum, and the effect on a
+//! ship.
 
 use crate::common;
 
@@ -19,7 +20,7 @@ fn variance(spectrum: &GustSpectrum, mean: &MeanWind, [lowest, highest]: [f64; 2
     (0..bins as i32).map(|i| spectrum.deviation(mean, [end(f64::from(i)), end(f64::from(i) + 1.0)]).powi(2)).sum()
 }
 
-/// S of ISO 19901-1:2015, A.7.4, written out as it stands there.
+/// S of ISO 19901-1:2015, A.7.4, written out as in the standard.
 fn npd(frequency_hz: f64, at_ten_metres: f64, height: f64) -> f64 {
     let x = 172.0 * frequency_hz * (height / 10.0).powf(2.0 / 3.0) * (at_ten_metres / 10.0).powf(-0.75);
     320.0 * (at_ten_metres / 10.0).powi(2) * (height / 10.0).powf(0.45)
@@ -46,10 +47,10 @@ fn the_npd_spectrum_is_that_of_the_standard() {
     assert!((found - integral).abs() < 2.0 * tail, "{found} {integral}");
 }
 
-/// ISO 19901-1, A.7.3, gives the turbulence intensity besides: 0.06 (1 + 0.043 U_10) (z / 10)^-0.22. The two fits to the same
-/// measurements agree within 4 % from ten minutes to two seconds.
+/// ISO 19901-1, A.7.3, also gives the turbulence intensity: 0.06 (1 + 0.043 U_10) (z / 10)^-0.22. The two
+/// fits to the same measurements agree within 4 % from ten minutes to two seconds.
 #[test]
-fn the_npd_spectrum_has_about_the_turbulence_that_the_standard_gives_besides() {
+fn the_npd_spectrum_has_about_the_turbulence_intensity_of_the_standard() {
     for (u, z) in [(10.0, 10.0), (20.0, 10.0), (30.0, 10.0), (20.0, 30.0), (25.0, 50.0)] {
         let speed = u * (1.0 + 0.0573 * f64::sqrt(1.0 + 0.15 * u) * f64::ln(z / 10.0));
         let intensity = 0.06 * (1.0 + 0.043 * u) * f64::powf(z / 10.0, -0.22);
@@ -147,8 +148,8 @@ fn ship(gusts: &str) -> String {
     )
 }
 
-/// The force is rho/2 (U + u - v)^2 A with the u that a realisation of the same seed has at the load's height, and what the wind
-/// gives is what the ship has.
+/// The force is rho/2 (U + u - v)^2 A with the u of a realisation with the same seed at the load's height,
+/// and the work of the wind is the energy of the ship.
 #[test]
 fn gusts_push_a_ship_by_the_square_of_the_whole_wind_and_the_ledger_has_their_work() {
     let mut simulation = simulation(&ship(", gusts: {ramp_s: 5}"));
@@ -176,7 +177,7 @@ fn gusts_push_a_ship_by_the_square_of_the_whole_wind_and_the_ledger_has_their_wo
     assert!(values(&mut simulation, "energy_error")[0].abs() < 1e-9 * work);
 }
 
-/// A ship comes to rest in the mean wind; its run begins there.
+/// A ship comes to rest in the mean wind, and its run starts there.
 #[test]
 fn an_equilibrium_is_that_of_the_mean_wind() {
     let line = "hawser: {spring_line: {first: {body: ship}, second: {body: world, position_m: [-300, 0, 0]}, \
@@ -192,7 +193,7 @@ fn an_equilibrium_is_that_of_the_mean_wind() {
 }
 
 #[test]
-fn gusts_that_cannot_be_are_refused() {
+fn invalid_gusts_are_refused() {
     let refused = |gusts: &str, message: &str| {
         let error = read(&ship(gusts), "test.yaml", &[]).expect_err("it is refused").to_string();
         assert!(error.contains(message), "{error}");

@@ -1,4 +1,4 @@
-//! Ships in waves that a soft hold keeps near their places, and what is said of those that nothing keeps.
+//! Ships in waves on a soft hold, and the warnings about ships that nothing holds.
 
 use crate::common;
 
@@ -54,10 +54,11 @@ fn hann(k: usize, steps: usize) -> f64 {
     (1.0 - libm::cos(TAU * k as f64 / steps as f64)) / steps as f64
 }
 
-/// In a head sea D of the database, per amplitude squared, over the stiffness. First-order loads leave a mean of 5 % of D at
-/// most (`slow_motion.rs`); what is left of the swing at the start, damped by 0.7, is below 1e-6.
+/// In a head sea the offset is D of the database, per amplitude squared, over the stiffness. First-order
+/// loads leave a mean of 5 % of D at most (`slow_motion.rs`); the remainder of the swing at the start, damped
+/// by 0.7, is below 1e-6.
 #[test]
-fn a_ship_in_a_mean_drift_is_off_its_place_by_the_drift_over_the_stiffness() {
+fn the_offset_of_a_ship_in_mean_drift_is_the_drift_over_the_stiffness() {
     let springs = json!({"natural_periods_s": [60, 60, 60], "damping_ratios": [0.7, 0.7, 0.7]});
     let mut ship = simulation(&[waves(2.0, PI), DRIFT, hold(&springs)]);
     let stiffness = of_kind::<f64, SoftHold>(ship.elements()).next().expect("a hold").stiffness;
@@ -99,7 +100,7 @@ fn mean_headings(run: &Run, yaw: usize) -> Vec<[f64; 2]> {
 
 /// Rows are half a second apart, in which the ship turns by a quarter of a degree.
 #[test]
-fn a_ship_that_turns_in_waves_is_warned_of_and_one_that_is_held_is_not() {
+fn a_ship_that_turns_in_waves_gives_a_warning_and_a_held_ship_does_not() {
     let rate = ("bodies.hull.joint.floating.initial.angular_velocity_rad_s", json!([0.0, 0.0, f64::to_radians(0.5)]));
     let mut turning = simulation(&[waves(0.2, PI), rate.clone()]);
     let yaw = turning.channels().iter().find(|channel| channel.variable == "yaw").expect("a yaw").offset;
@@ -152,7 +153,7 @@ fn a_free_ship_in_the_waves_pressure_is_refused() {
 }
 
 #[test]
-fn one_that_something_keeps_to_the_world_is_not() {
+fn a_held_ship_in_the_waves_pressure_is_not_refused() {
     let crane = json!({"parent": "hull", "mass_kg": 1e3, "shape": {"point": {}}, "joint": {"fixed": {}}});
     let boat = json!({"mass_kg": 1e5, "shape": {"sphere": {"radius_m": 2}}, "joint": {"floating": {"hold_translation": true}}});
     let held: [Vec<(&str, Value)>; 5] = [

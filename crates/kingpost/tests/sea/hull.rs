@@ -1,4 +1,4 @@
-//! Hulls in still water: closed forms, the linear form, and what is no hull.
+//! Hulls in still water: closed forms, the linear form, and invalid hulls.
 
 use crate::common::hulls;
 
@@ -160,7 +160,7 @@ fn unit_box() -> (Vec<[f64; 3]>, Vec<[usize; 3]>) {
 }
 
 #[test]
-fn every_mesh_that_is_no_hull_says_what_is_wrong_and_where() {
+fn the_error_of_every_invalid_mesh_contains_the_defect_and_its_position() {
     let (vertices, triangles) = unit_box();
     assert_eq!(HullMesh::new(vec![], vec![]), Err(MeshError::TooFew { triangles: 0 }));
 

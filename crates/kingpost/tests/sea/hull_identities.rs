@@ -56,7 +56,7 @@ proptest! {
         prop_assert!(distance(&wrench, &differences) < 1e-6 * scale());
     }
 
-    /// The pressure integrated over the wetted surface, component by component, against the
+    /// The pressure integrated over the wetted surface, component by component, is compared with the
     /// divergence theorem.
     #[test]
     fn the_pressure_of_still_water_gives_the_same_wrench((turn, height) in any_pose()) {
@@ -68,8 +68,8 @@ proptest! {
         prop_assert!(distance(&pressure, &buoyancy) < 1e-13 * scale());
     }
 
-    /// A sea that slopes, with the pressure of its own depth, is still water under a tilted
-    /// vertical and a greater gravity.
+    /// A sloping sea, with the pressure of its depth, is still water under a tilted vertical and a greater
+    /// gravity.
     #[test]
     fn the_pressure_below_a_slope_is_that_of_water_at_rest_under_tilted_gravity(
         (turn, height) in any_pose(), slope in -0.8..0.8_f64
@@ -94,7 +94,7 @@ proptest! {
     /// Differences over h = 1e-7 err by h and by rounding over h. The pressure need not be 0 at the
     /// surface for the wrench to change without jumps where a vertex goes under.
     #[test]
-    fn the_wrench_of_a_wave_changes_as_its_dual_numbers_say((turn, height) in any_pose(), k in 0..6_usize) {
+    fn the_wrench_of_a_wave_has_the_derivatives_of_dual_numbers((turn, height) in any_pose(), k in 0..6_usize) {
         let (mesh, pose, h) = (skew_ship(), place(turn, height), 1e-7);
         let mut wetted = WettedHull::new(&mesh);
         let mut beside = |h: f64| {
@@ -111,9 +111,9 @@ proptest! {
         prop_assert!(distance(&differences, &expected) < 2.0 * h * 1e-5 * scale(), "{differences:?} {expected:?}");
     }
 
-    /// The swell is at most 1 m high: what is above need not be asked for, unless a neighbour may be wet.
+    /// The swell is at most 1 m high: vertices above need no evaluation, unless a neighbour can be wet.
     #[test]
-    fn a_vertex_among_dry_ones_costs_nothing_and_the_sum_stays_the_plain_one((turn, height) in any_pose()) {
+    fn a_vertex_among_dry_ones_is_not_evaluated_and_the_sum_is_unchanged((turn, height) in any_pose()) {
         let (mesh, pose) = (skew_ship(), place(turn, height));
         let plain = WettedHull::new(&mesh).pressure_wrench(&mesh, &pose, SPECIFIC_WEIGHT, swell);
         let (mut wetted, mut asked) = (WettedHull::new(&mesh), Vec::new());
@@ -136,7 +136,7 @@ proptest! {
     }
 
     #[test]
-    fn every_lane_has_the_bits_that_it_would_have_alone(poses in prop::array::uniform4(any_pose()), alike: bool) {
+    fn every_lane_is_bitwise_identical_to_a_single_run(poses in prop::array::uniform4(any_pose()), alike: bool) {
         let mesh = skew_ship();
         // Either anywhere, or so near each other that most triangles are cut alike.
         let poses: [Frame; LANES] = core::array::from_fn(|k| {
@@ -210,17 +210,16 @@ fn a_pose_that_is_not_finite_gives_no_finite_wrench() {
 }
 
 #[test]
-fn of_a_hull_above_all_waves_no_vertex_is_asked_for() {
+fn no_vertex_of_a_hull_above_all_waves_is_evaluated() {
     let (mesh, pose) = (skew_ship(), place([0.0; 3], 60.0));
     let nowhere = |_| -> LocalWater { panic!("the hull is dry") };
     let wrench = WettedHull::new(&mesh).pressure_wrench_below(&mesh, &pose, SPECIFIC_WEIGHT, 1.0, nowhere);
     assert_eq!(wrench, Wrench::zero());
 }
 
-/// The heading and the place on the sea do not matter, and the frame in which a hull is drawn does
-/// not either.
+/// The heading, the position on the sea, and the frame in which a hull is drawn have no effect.
 #[test]
-fn buoyancy_knows_no_heading_and_no_frame() {
+fn buoyancy_does_not_depend_on_heading_and_frame() {
     let (mesh, pose) = (skew_ship(), place([0.3, -0.4, 0.2], 0.6));
     let wrench_of = |mesh: &HullMesh, pose: &Frame| {
         WettedHull::new(mesh).buoyancy(mesh, &FloatingPosition::of(pose)).wrench(SPECIFIC_WEIGHT)

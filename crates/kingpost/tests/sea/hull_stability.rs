@@ -1,4 +1,4 @@
-//! Loaded hulls at rest and heeled: closed forms, what stays constant, what has no equilibrium.
+//! Loaded hulls at rest and heeled: closed forms, invariants, and hulls without an equilibrium.
 
 use crate::common::hulls;
 
@@ -34,7 +34,7 @@ fn a_box_floats_at_the_draught_and_with_the_metacentres_of_its_closed_forms() {
     close(along, 0.75 + 400.0 / 18.0 - 2.5, 1e-13);
 }
 
-/// Wall-sided: `(GM + BM/2 tan^2) tan = d` for a weight d off the middle, across as along.
+/// Wall-sided: `(GM + BM/2 tan^2) tan = d` for a weight at the distance d off the middle, in both directions.
 #[test]
 fn a_box_heels_to_the_side_and_trims_to_the_end_where_its_weight_is() {
     let (mesh, [gm, bm]) = (box_barge(2), [1.0 + 25.0 / 6.0 - 2.0, 25.0 / 6.0]);
@@ -52,7 +52,7 @@ fn a_box_heels_to_the_side_and_trims_to_the_end_where_its_weight_is() {
 
 /// With GM below 0 a wall-sided hull lolls to `tan^2 = -2 GM / BM`; held by symmetry it stays.
 #[test]
-fn a_top_heavy_box_lolls() {
+fn a_top_heavy_box_has_an_angle_of_loll() {
     let (mesh, bm) = (box_barge(2), 25.0 / 6.0);
     let gm = -0.25;
     let height = -2.0 + 1.0 + bm - gm;
@@ -92,7 +92,7 @@ fn section(heel: f64, rise: f64, strips: usize) -> [f64; 3] {
 }
 
 #[test]
-fn beyond_the_righting_arm_of_a_box_is_that_of_a_fine_integration_of_its_section() {
+fn beyond_21_8_degrees_the_righting_arm_of_a_box_agrees_with_an_integration_of_its_section() {
     let heels = [0.5, 0.8, 1.1, 1.4];
     let loading = loading(400.0, [0.0, 0.3, 0.5]);
     let curve = RightingArm::curve(&box_barge(2), &loading, &heels).unwrap();
@@ -171,8 +171,8 @@ fn a_ship_floats_where_its_righting_arm_is_zero_and_its_slope_is_the_metacentric
     near(there.trim, heeled.trim, 1e-12);
 }
 
-/// A ball balances in every position; one of flat triangles, whose sides differ a little, lies down
-/// where its energy is least.
+/// A ball balances in every position; one of flat triangles, whose sides differ slightly, rolls to the
+/// position of least energy.
 #[test]
 fn a_ball_of_triangles_rolls_until_it_rests() {
     let equilibrium = FloatingEquilibrium::find(&sphere(5.0, 4), &loading(200.0, [0.0; 3])).unwrap();
@@ -183,7 +183,7 @@ fn a_ball_of_triangles_rolls_until_it_rests() {
 }
 
 #[test]
-fn a_hull_that_cannot_float_is_an_error_that_says_by_how_much() {
+fn the_error_of_a_hull_that_cannot_float_contains_the_excess() {
     let mesh = box_barge(1);
     let error = FloatingEquilibrium::find(&mesh, &loading(900.0, [0.0; 3])).unwrap_err();
     assert_eq!(
@@ -200,7 +200,7 @@ fn a_hull_that_cannot_float_is_an_error_that_says_by_how_much() {
 }
 
 #[test]
-fn a_loading_that_is_none_is_an_error() {
+fn an_invalid_loading_is_an_error() {
     let mesh = box_barge(1);
     let good = loading(400.0, [0.0; 3]);
     let cases = [

@@ -1,4 +1,4 @@
-//! Databases that no hull can have, and seas that a database does not cover, are told where they are read.
+//! Errors of impossible databases, and of seas outside a database's range, at the place where they are read.
 
 use crate::common;
 
@@ -42,14 +42,14 @@ fn an_added_mass_that_is_not_symmetric_or_negative_is_refused() {
 }
 
 #[test]
-fn noise_of_panels_about_zero_is_no_negative_added_mass() {
+fn numerical_noise_about_zero_does_not_count_as_negative_added_mass() {
     let mut round = database();
     round["added_mass_infinite"][5][5] = json!(-1.0);
     assert!(Database::read(&round.to_string()).is_ok());
 }
 
 #[test]
-fn damping_that_gives_energy_is_refused() {
+fn damping_that_adds_energy_is_refused() {
     let negative = refused(|all| {
         let given = all["radiation_damping"][12][2][2].as_f64().expect("a number");
         all["radiation_damping"][12][2][2] = json!(-given);
@@ -58,7 +58,7 @@ fn damping_that_gives_energy_is_refused() {
 }
 
 #[test]
-fn a_memory_that_gives_energy_or_drags_on_a_steady_drift_is_refused() {
+fn a_memory_that_adds_energy_or_resists_a_steady_drift_is_refused() {
     let heave = |all: &mut Value, factors: [f64; 2]| {
         for (part, factor) in factors.iter().enumerate() {
             let residue = &mut all["radiation"]["modes"][2]["residues"][0][2][part];

@@ -1,4 +1,4 @@
-//! How the barge floats with its crane: closed forms of a box, loads that hang, what is warned of.
+//! Floating position of the barge with its crane: closed forms of a box, hanging loads, warnings.
 
 use crate::common;
 
@@ -65,7 +65,7 @@ fn a_box_barge_floats_with_the_metacentres_of_its_closed_forms() {
     }
 }
 
-/// A load that hangs acts where it hangs from: KG rises by m l / M (Barrass & Derrett, ch. 6).
+/// A hanging load acts at its suspension point: KG rises by m l / M (Barrass & Derrett, ch. 6).
 #[test]
 fn a_hanging_load_raises_the_centre_of_gravity_by_its_moment_over_the_mass() {
     let hull = afloat(&[]);
@@ -81,9 +81,9 @@ fn a_hanging_load_raises_the_centre_of_gravity_by_its_moment_over_the_mass() {
     }
 }
 
-/// A joint that is held in one axis lets the load swing about the other only.
+/// A joint with one held axis lets the load swing only about the other axis.
 #[test]
-fn a_load_that_swings_one_way_is_fluid_that_way() {
+fn a_load_that_swings_about_one_axis_reduces_gm_about_that_axis() {
     let held = |axis: &str| (format!("bodies.load.joint.universal.{axis}.mode"), json!("held"));
     for (axis, swings) in [("first", [0.0, 1.0]), ("second", [1.0, 0.0])] {
         let (name, mode) = held(axis);
@@ -165,8 +165,8 @@ fn the_righting_arms_are_those_of_the_side_that_the_ship_lists_to() {
     assert!(largest[0].arm_m < small, "a list takes of the arm: {largest:?} {small}");
 }
 
-/// The GM of the report is the heel that a small moment makes: `W GM phi = moment`, with the load free
-/// to swing.
+/// The GM of the report agrees with the heel by a small moment: `W GM phi = moment`, with the load free to
+/// swing.
 #[test]
 fn a_small_moment_heels_by_the_fluid_metacentric_height() {
     let gm = afloat(&[]).metacentric_height_m[0];
@@ -177,7 +177,7 @@ fn a_small_moment_heels_by_the_fluid_metacentric_height() {
 }
 
 #[test]
-fn the_report_is_of_the_crane_as_it_stands() {
+fn the_report_is_for_the_present_position_of_the_crane() {
     let built = scenario(&[(MAST, json!([0.0, 0.0, 7.0]))]);
     let mut simulation = Simulation::new(built.setup().expect("it builds"));
     let names = simulation.model().coordinate_names();
@@ -192,7 +192,7 @@ fn the_report_is_of_the_crane_as_it_stands() {
 }
 
 #[test]
-fn an_equilibrium_off_the_database_is_warned_of_with_the_limits() {
+fn an_equilibrium_outside_the_database_gives_a_warning_with_the_limits() {
     let heavy = report(&[("mass", json!(50e3))]).warnings;
     assert_eq!(heavy.len(), 1, "{heavy:?}");
     assert_eq!(
@@ -211,7 +211,7 @@ fn an_equilibrium_off_the_database_is_warned_of_with_the_limits() {
 }
 
 #[test]
-fn a_hull_that_lies_on_the_water_or_capsizes_is_warned_of() {
+fn a_hull_on_the_water_or_capsized_gives_a_warning() {
     let light = report(&[("bodies.hull.mass_kg", json!(20e3)), (HYDROSTATICS, json!("mesh"))]).warnings;
     assert!(light.iter().any(|words| words.contains("its bottom comes out of the water at about")), "{light:?}");
     let high = report(&[(MAST, json!([0.0, 0.0, 60.0]))]);
@@ -231,7 +231,7 @@ fn a_run_does_not_begin_with_a_hull_that_has_capsized() {
 }
 
 #[test]
-fn a_hull_that_cannot_float_is_an_error_and_what_does_not_rest_is_a_warning() {
+fn a_hull_that_cannot_float_is_an_error_and_a_missing_equilibrium_is_a_warning() {
     let sinks = [("bodies.hull.mass_kg".to_owned(), json!(1.2e6))];
     let error = read_with(TEXT, "barge.yaml", &sinks, &files()).expect_err("it sinks").to_string();
     assert!(
@@ -244,7 +244,7 @@ fn a_hull_that_cannot_float_is_an_error_and_what_does_not_rest_is_a_warning() {
 
 /// Sums over the parts: of the hull its given radii, of the mast a box, of the load a ball, each with m d^2.
 #[test]
-fn another_loading_than_that_of_the_drift_is_warned_of() {
+fn a_loading_other_than_that_of_the_drift_gives_a_warning() {
     let kg = keel_to_gravity();
     let [x, y, z] = [3.5, 6.0, 6.0].map(|radius: f64| WEIGHTS[0].0 * radius * radius);
     let (mast, ball) = (WEIGHTS[1].0, WEIGHTS[2].0);
@@ -278,7 +278,7 @@ fn another_loading_than_that_of_the_drift_is_warned_of() {
 
 /// 12 directions hold 6 harmonics: about half a length of 10 m waves of k = 0.6 / m, 10.5 m and 2.6 s.
 #[test]
-fn waves_too_short_for_the_directions_of_the_data_are_warned_of() {
+fn waves_too_short_for_the_directions_of_the_data_give_a_warning() {
     let warned = |period: f64| {
         let swell = "sea.waves.swell.regular";
         let (on, length) = (format!("{swell}.enabled"), format!("{swell}.period_s"));
@@ -291,9 +291,9 @@ fn waves_too_short_for_the_directions_of_the_data_are_warned_of() {
     assert!(short.contains("resolve waves of 10.5 m and longer for its length of 20.0 m: 100.0 % of"), "{short}");
 }
 
-/// A tag line keeps the load from swinging; a line that lifts the hull is told of.
+/// A tag line keeps the load from swinging; a line that lifts the hull gives a warning.
 #[test]
-fn lines_hold_loads_and_what_they_carry_is_told() {
+fn a_tag_line_restrains_a_load_and_a_line_that_lifts_the_hull_gives_a_warning() {
     let line = |first: &str, height: f64, stiffness: f64| {
         json!({"spring_line": {
             "first": {"body": first}, "second": {"body": "world", "position_m": [0.0, 0.0, height]},
@@ -303,8 +303,10 @@ fn lines_hold_loads_and_what_they_carry_is_told() {
     let tagged = report(&[("forces.line", line("load", 20.0, 1.0))]);
     assert!(tagged.hulls[0].hanging.is_empty(), "{tagged:?}");
     let lifted = report(&[("forces.line", line("hull", 20.0, 1e5))]);
-    let told =
-        lifted.warnings.iter().any(|words| words.contains("other forces that carry or pull it are not in KG, GM"));
+    let told = lifted
+        .warnings
+        .iter()
+        .any(|words| words.contains("other forces that carry or pull it are not included in KG, GM"));
     assert!(told && lifted.hulls[0].displacement_kg < 0.999 * lifted.hulls[0].mass_kg, "{lifted:?}");
 }
 
@@ -321,10 +323,10 @@ fn on_line() -> String {
         )
 }
 
-/// Compares a load by the same length below the same point, once on its joint and once on a line: GM and the mass
-/// afloat are the same, and nothing else carries the ship.
+/// Compares a load with the same length below the same point, once on its joint and once on a line: GM and
+/// the floating mass are equal, and nothing else carries the ship.
 #[test]
-fn a_load_on_a_line_takes_of_the_metacentric_height_what_one_on_a_pendulum_takes() {
+fn a_load_on_a_line_reduces_the_metacentric_height_like_one_on_a_pendulum() {
     let on_joint = afloat(&[]);
     let text = on_line();
     let pairs = [(MAST.to_owned(), json!([0.0, 0.0, 7.0]))];
@@ -343,9 +345,10 @@ fn a_load_on_a_line_takes_of_the_metacentric_height_what_one_on_a_pendulum_takes
     }
 }
 
-/// A load on a line with a hull of its own, heavier than what that displaces, is no ship that sinks.
+/// A load on a line, with a hull whose displacement is less than the load's mass, does not count as a sinking
+/// ship.
 #[test]
-fn a_load_with_a_hull_of_its_own_that_cannot_float_is_a_warning() {
+fn a_load_with_a_hull_that_cannot_float_is_a_warning() {
     let wet = json!({"hydrodynamics": {
         "body": "load", "database": "barge.hydro.json", "hydrostatics": "mesh", "added_mass": false,
         "radiation": false, "excitation": false,
@@ -357,9 +360,10 @@ fn a_load_with_a_hull_of_its_own_that_cannot_float_is_a_warning() {
     assert!(told.is_some_and(|words| words.starts_with("no hydrostatics of load")), "{report:?}");
 }
 
-/// Checks what a run rests by: under linear hydrostatics the heel is theirs, and the curve of the mesh has another.
+/// Checks which buoyancy a run uses at rest: with linear hydrostatics the heel is the linear one, and the
+/// curve of the mesh has another.
 #[test]
-fn the_report_says_whether_the_run_rests_by_the_mesh() {
+fn the_report_states_whether_the_equilibrium_uses_the_mesh() {
     for (hydrostatics, by_mesh) in [("linear", false), ("mesh", true)] {
         let overrides = [(HYDROSTATICS, json!(hydrostatics)), ("shift_m", json!(4.0))];
         let hull = report(&overrides).hulls.remove(0);

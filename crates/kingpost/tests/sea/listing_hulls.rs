@@ -1,4 +1,4 @@
-//! Hulls that list: their hydrodynamics stand level, or in the attitude that they were computed in.
+//! Hulls with a list: hydrodynamics for the upright hull, or for the attitude for which they were computed.
 
 use crate::common;
 
@@ -47,8 +47,9 @@ fn amplitudes(scenario: &Scenario, direction_rad: f64, omega_rad_s: f64) -> [f64
     [row(0), row(1), row(2), row(angles), row(angles + 1), row(angles + 2)]
 }
 
-/// In a head sea a box that lists by a weight is lifted along the vertical, and not pushed aside: Capytaine's coefficients of
-/// a heeled box make its sway below 0.004 m/m. Tilted added mass under level loads made 0.1 m/m of it.
+/// In a head sea, a box with a list due to a weight is lifted vertically, and not pushed aside: Capytaine's
+/// coefficients of a heeled box give a sway below 0.004 m/m. Tilted added mass with level loads would give
+/// 0.1 m/m.
 #[test]
 fn a_barge_that_lists_does_not_sway_in_a_head_sea() {
     let listing = scenario(BARGE, &[]);
@@ -60,7 +61,8 @@ fn a_barge_that_lists_does_not_sway_in_a_head_sea() {
     }
 }
 
-/// Checks the response of a listing barge by a run: the sea pushes it aside no more than its response says.
+/// Checks the response of a listing barge against a run: the sway of the run does not exceed that of the
+/// response.
 #[test]
 fn a_run_of_a_barge_that_lists_has_its_response() {
     let waves = json!({"swell": {"regular": {"height_m": 0.02, "period_s": 6.0, "direction_rad": 2.5}}});
@@ -95,7 +97,7 @@ fn a_run_of_a_barge_that_lists_has_its_response() {
 /// Where a hull lies in the attitude that its coefficients were computed in, they act as those of an upright hull that lies
 /// even: on a body whose inertia is the same about all axes across its length, a turn about that makes no difference.
 #[test]
-fn coefficients_of_an_attitude_are_those_of_the_hull_as_it_lies_there() {
+fn coefficients_of_an_attitude_are_those_of_the_hull_at_this_attitude() {
     let sea = json!({"waves": {"swell": {"regular": {"height_m": 1.0, "period_s": 5.0, "direction_rad": 2.0}}}});
     let roll: f64 = 0.1;
     let more = [
@@ -128,7 +130,7 @@ fn coefficients_of_an_attitude_are_those_of_the_hull_as_it_lies_there() {
 }
 
 #[test]
-fn an_attitude_that_no_hull_can_have_is_refused() {
+fn an_invalid_attitude_is_refused() {
     let mut database: Value = serde_json::from_str(BARGE).expect("it is JSON");
     database["hull"]["attitude"] = json!({"roll_rad": 0.0, "pitch_rad": 2.0, "height_m": 0.0});
     let files = Files::new([("hull.hydro.json".to_owned(), database.to_string())]);

@@ -1,4 +1,4 @@
-//! Drag and lines: what keeps a ship where it is.
+//! Drag and lines that hold a ship in position.
 
 use crate::common;
 
@@ -18,7 +18,7 @@ fn afloat(initial: &str, more: &str) -> String {
 
 /// `m v' = -c |v| v` has the solution `v = v0 / (1 + c |v0| t / m)`.
 #[test]
-fn quadratic_damping_lets_a_rate_decay_as_one_over_time() {
+fn a_rate_with_quadratic_damping_decays_as_one_over_time() {
     let exact = |start: f64, c: f64, mass: f64, time_s: f64| start / (1.0 + c * start.abs() * time_s / mass);
     let drag =
         "forces: {drag: {quadratic_damping: {body: ship, linear_N_s2_m2: [0, 300, 0], angular_N_m_s2: [400, 0, 0]}}}";
@@ -37,7 +37,7 @@ fn quadratic_damping_lets_a_rate_decay_as_one_over_time() {
     }
 }
 
-/// `m u' = -(b - i g) u` for u = v_x + i v_y: what is symmetric in the matrix damps, what is skew turns.
+/// `m u' = -(b - i g) u` for u = v_x + i v_y: the symmetric part of the matrix damps, the skew part rotates.
 #[test]
 fn a_full_matrix_of_damping_couples_the_rates() {
     let row = |x: f64, y: f64| format!("[{x}, {y}, 0, 0, 0, 0]");
@@ -72,9 +72,9 @@ fn linear_damping_at_a_point_is_relative_to_the_stream() {
     }
 }
 
-/// In the water's own frame the body is slowed as above; the ledger books the current's work.
+/// In the frame of the water the body is slowed as above; the ledger contains the current's work.
 #[test]
-fn a_current_takes_a_body_along() {
+fn a_current_carries_a_body_along() {
     let drag =
         "sea: {current_m_s: [1.5, 0]}\nforces: {drag: {quadratic_damping: {body: ship, linear_N_s2_m2: [300, 0, 0]}}}";
     let mut drifting = simulation(&afloat("velocity_m_s: [0, 0, 0]", drag));
@@ -118,7 +118,7 @@ fn a_spring_line_pulls_and_never_pushes() {
     assert!((ship.state().v[0] - 2.0).abs() < 1e-4);
 }
 
-/// A swinging body on an elastic rope keeps its energy; both ends get the same pull.
+/// A swinging body on an elastic rope conserves its energy; both ends have the same tension.
 #[test]
 fn a_line_between_two_bodies_keeps_energy_and_momentum() {
     let tied = "  barge:\n    mass_kg: 5000\n    shape: {box: {length_m: 4, width_m: 3, height_m: 1}}\n    \
@@ -137,7 +137,8 @@ fn a_line_between_two_bodies_keeps_energy_and_momentum() {
     assert!(errors[0] < 1e-12 * size && errors[1] < 1e-5, "{errors:?} of {size}");
 }
 
-/// Checks that a ship that comes taut at the speed u leaves at about `u (1 - 2/3 a u)` (Hunt & Crossley 1975).
+/// Checks that a ship whose line becomes taut at the speed u leaves at about `u (1 - 2/3 a u)` (Hunt &
+/// Crossley 1975).
 #[test]
 fn dissipation_in_a_line_is_heat() {
     let line = HAWSER.replace("axial_stiffness_kN: 16", "axial_stiffness_kN: 16, dissipation_s_per_m: 0.1");
@@ -163,10 +164,11 @@ fn lines_and_drag_are_linearised_exactly() {
     ));
 }
 
-/// Lines that hang, and lift off and lie down on the seabed, keep the energy that they are given. A step over the
-/// hawser's coming taut with the speed v errs by a share of k (v h)^2, 10 J here, of which RK4 leaves a hundredth.
+/// Lines that hang, lift off and lie down on the seabed conserve their energy. In a step in which the hawser
+/// becomes taut with the speed v, the error is a share of k (v h)^2, 10 J here, of which RK4 leaves a
+/// hundredth.
 #[test]
-fn what_is_moored_keeps_its_energy() {
+fn a_moored_body_conserves_its_energy() {
     let mut simulation = simulation(&moored());
     let mut grounded = Vec::new();
     for _ in 0..30 {
@@ -185,7 +187,7 @@ fn what_is_moored_keeps_its_energy() {
 
 /// T at the fairlead and H at an anchor with line on the seabed, by the catenary alone; a spring has one tension.
 #[test]
-fn the_results_hold_what_a_line_carries() {
+fn the_results_contain_the_tension_of_a_line() {
     let mut simulation = simulation(&moored());
     let [tension, end, grounded] =
         ["line_tension", "line_end_tension", "line_grounded_length"].map(|channel| values(&mut simulation, channel));
@@ -204,7 +206,7 @@ fn mooring_lines_are_linearised_exactly() {
 }
 
 #[test]
-fn lines_that_cannot_be_are_refused() {
+fn invalid_lines_are_refused() {
     let refused = |from: &str, to: &str, message: &str| {
         let text = moored();
         assert!(text.contains(from));

@@ -1,5 +1,5 @@
-//! Data that contradict themselves: excitation and damping, a waterplane and its mesh, RAOs in the other unit; and hulls that
-//! the water cannot carry.
+//! Inconsistent data: excitation and damping, a waterplane and its mesh, RAOs in the wrong unit; and hulls
+//! that the water cannot carry.
 
 use crate::common;
 
@@ -75,7 +75,7 @@ fn haskinds_relation_takes_the_group_velocity_of_the_depth() {
 
 /// Panels keep the relation to some percent; the median of a mode that makes waves is far within a factor of 2.
 #[test]
-fn databases_of_the_gallery_are_beyond_doubt() {
+fn databases_of_the_gallery_give_no_warning() {
     for name in GALLERY {
         let database = Database::read(&gallery(name).to_string()).expect(name);
         assert_eq!(database.doubts(), Vec::<String>::new(), "{name}");
@@ -111,7 +111,10 @@ fn an_excitation_a_thousand_times_too_large_or_too_small_is_refused() {
     assert_eq!(spoilt(|all| beyond_long_waves(all, 1.0)).expect("it is fine").doubts(), Vec::<String>::new());
     for factor in [1e3, 1e-3] {
         let error = spoilt(|all| beyond_long_waves(all, factor)).expect_err("it is wrong");
-        assert!(error.contains("times the amplitude that radiation_damping asks for by Haskind's relation"), "{error}");
+        assert!(
+            error.contains("times the amplitude that follows from radiation_damping by Haskind's relation"),
+            "{error}"
+        );
     }
 }
 
@@ -126,7 +129,7 @@ fn a_damping_a_million_times_too_small_is_refused() {
 }
 
 #[test]
-fn an_excitation_twice_or_half_of_haskinds_is_warned_of_by_its_mode() {
+fn an_excitation_twice_or_half_of_haskinds_gives_a_warning_with_its_mode() {
     for factor in [2.5, 0.4] {
         let doubts = spoilt(|all| scale_excitation(all, factor)).expect("panels may be that coarse").doubts();
         assert_eq!(doubts.len(), 1, "{doubts:?}");
@@ -135,9 +138,9 @@ fn an_excitation_twice_or_half_of_haskinds_is_warned_of_by_its_mode() {
     }
 }
 
-/// Roll damping by viscosity is many times that of waves; a file may hold both.
+/// Viscous roll damping is many times that of waves; a file can contain both.
 #[test]
-fn viscous_roll_damping_in_a_database_is_warned_of_and_not_refused() {
+fn viscous_roll_damping_in_a_database_gives_a_warning_and_is_not_refused() {
     let database = spoilt(|all| {
         for matrix in all["radiation_damping"].as_array_mut().expect("a list") {
             matrix[3][3] = json!(matrix[3][3].as_f64().expect("a number") + 1e9);
@@ -149,7 +152,7 @@ fn viscous_roll_damping_in_a_database_is_warned_of_and_not_refused() {
 }
 
 #[test]
-fn a_waterplane_that_is_not_its_meshs_is_warned_of_or_refused() {
+fn a_waterplane_that_differs_from_the_mesh_gives_a_warning_or_is_refused() {
     let with = |field: [&str; 2], factor: f64| {
         spoilt(|all| {
             let [outer, inner] = field;
@@ -170,7 +173,8 @@ fn a_waterplane_that_is_not_its_meshs_is_warned_of_or_refused() {
     }
 }
 
-/// A ship that rides the surface of long waves over this depth: heave 1, roll `k sin b`, pitch `k cos b`, in this unit.
+/// A ship that follows the surface of long waves over this depth: heave 1, roll `k sin b`, pitch `k cos b`,
+/// in this unit.
 fn riding(unit: &str, factor: [f64; 2], depth_m: Option<f64>) -> String {
     let water = Water { depth_m, ..Water::default() };
     let mut text = format!(
@@ -218,7 +222,7 @@ fn raos_in_radians_that_are_declared_as_degrees_are_refused_and_the_other_way_ro
 }
 
 #[test]
-fn a_roll_alone_that_is_that_small_is_warned_of() {
+fn a_similar_unit_error_in_roll_alone_gives_a_warning() {
     let degrees = 180.0 / PI;
     let warnings = moved(riding("deg", [1.0, degrees], None), None).expect("a stiff ship may roll so");
     assert_eq!(warnings.len(), 1, "{warnings:?}");
@@ -259,7 +263,7 @@ fn a_run_does_not_begin_with_a_hull_that_cannot_float() {
 }
 
 #[test]
-fn a_hull_far_heavier_than_its_data_is_warned_of() {
+fn a_hull_far_heavier_than_its_data_gives_a_warning() {
     let data_t = barge::DENSITY * LENGTH * BEAM * DRAUGHT / 1000.0;
     let of_mass = |mass_t_of_all: f64| {
         let all = mass_t(mass_t_of_all - 30.0, &[]).expect("it floats");

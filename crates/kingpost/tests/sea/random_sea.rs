@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 const THREE_HOURS_S: f64 = 10_800.0;
 
 #[test]
-fn waves_that_would_have_broken_are_refused() {
+fn waves_beyond_the_breaking_limit_are_refused() {
     let sea = |waves: &str| {
         let text = format!(
             "version: 1\ntitle: Sea\nsimulation: {{step_s: 0.1, duration_s: 1}}\nbodies:\n  ball: {{mass_kg: 1, shape: \
@@ -74,7 +74,7 @@ fn three_hours_of_the_sea_have_its_significant_height() {
     }
 }
 
-/// By construction the waves together have the energy of the whole spectrum.
+/// By construction the sum of the waves has the energy of the whole spectrum.
 #[test]
 fn deterministic_amplitudes_have_the_significant_height_of_the_spectrum() {
     for components in [1, 2, 30, 200, 1000] {
@@ -138,7 +138,7 @@ fn the_sea_does_not_repeat_within_three_hours() {
 }
 
 #[test]
-fn the_same_seed_gives_the_same_bits_and_another_another_sea() {
+fn equal_seeds_give_bitwise_identical_seas_and_different_seeds_different_ones() {
     let (system, water) = (system(), Water::default());
     let sea = |seed, number| system.components(seed, number, &water).unwrap();
     assert_eq!(sea(4, 0), sea(4, 0));
@@ -164,7 +164,7 @@ fn directions_scatter_about_the_mean_direction() {
 
 /// Independent seas add their variances.
 #[test]
-fn wind_sea_and_swell_join_in_one_list() {
+fn wind_sea_and_swell_are_combined_in_one_list() {
     let swell = WaveSystem {
         spectrum: Spectrum::PiersonMoskowitz(PiersonMoskowitz::new(1.5, 14.0).unwrap()),
         spreading: Spreading::LongCrested,
@@ -187,8 +187,8 @@ fn frequencies_are_in_order_within_the_band_and_never_equal() {
     assert!((significant_height_of_components_m(&waves) / kept - 1.0).abs() < 1e-7);
 }
 
-/// `Int S dw = Hs^2 / 16 e^(-(5/4) (w_p / w)^4)` from 0 to w of Pierson and Moskowitz' spectrum: what is cut off is not made
-/// up for by the rest, and at an end at which nothing is cut off the sea is as it was.
+/// `Int S dw = Hs^2 / 16 e^(-(5/4) (w_p / w)^4)` from 0 to w of Pierson and Moskowitz' spectrum: the other
+/// waves do not replace the energy that is cut off, and at an end without a cut the sea is unchanged.
 #[test]
 fn a_cut_takes_the_energy_of_the_spectrum_there_and_leaves_the_rest() {
     let spectrum = Spectrum::PiersonMoskowitz(PiersonMoskowitz::new(2.5, 8.0).unwrap());
@@ -225,7 +225,7 @@ fn measured(elevations_m: Vec<f64>, band: Option<Band>) -> ElevationRecord {
 
 /// The transform of a record of odd length is its inverse, but for the mean.
 #[test]
-fn a_measured_record_returns_where_and_when_it_was_measured() {
+fn a_measured_record_is_reproduced_at_its_position_and_time() {
     let waves = system().components(3, 0, &Water::default()).unwrap();
     let taken = record(&waves, 0.5, 300.5);
     let mean = taken.iter().sum::<f64>() / taken.len() as f64;
@@ -238,10 +238,10 @@ fn a_measured_record_returns_where_and_when_it_was_measured() {
     }
 }
 
-/// Checks that the sums that a table keeps are the same: of one band, of another that goes beyond it, and of the first
-/// again.
+/// Checks that the sums stored in a table do not change: of one band, of another band beyond it, and of the
+/// first band again.
 #[test]
-fn a_table_gives_the_waves_of_its_record_bit_for_bit_however_often_it_is_asked() {
+fn the_waves_of_a_table_are_bitwise_identical_at_every_call() {
     let taken = record(&system().components(3, 0, &Water::default()).unwrap(), 0.5, 300.5);
     let rows: Vec<String> = (0..).zip(&taken).map(|(i, eta)| format!("{},{eta}", 12.0 + 0.5 * f64::from(i))).collect();
     let table = ElevationTable::read_csv(&format!("time_s,elevation_m\n{}\n", rows.join("\n"))).unwrap();
@@ -254,12 +254,12 @@ fn a_table_gives_the_waves_of_its_record_bit_for_bit_however_often_it_is_asked()
 }
 
 #[test]
-fn a_file_without_waves_is_an_error_that_says_so() {
+fn a_file_without_waves_is_an_error() {
     let error = ElevationTable::read_csv("time_s,elevation_m\n0,0\n0.5,0\n1,0\n1.5,0\n").unwrap_err();
     assert!(error.to_string().contains("no waves in the record: every elevation is 0 m"), "{error}");
 }
 
-/// Parseval's theorem: what a band cuts off is what the other harmonics hold.
+/// Parseval's theorem: the energy that a band cuts off is that of the other harmonics.
 #[test]
 fn a_band_keeps_its_harmonics_of_a_record_only() {
     let tone = |n: u32, cycles: f64| (TAU * cycles * f64::from(n) / 600.0).cos();
@@ -275,7 +275,7 @@ fn a_band_keeps_its_harmonics_of_a_record_only() {
 }
 
 #[test]
-fn what_makes_no_sea_is_an_error_that_says_what_is_allowed() {
+fn the_error_of_an_invalid_sea_contains_the_allowed_values() {
     let water = Water::default();
     let band = |lowest_rad_s, highest_rad_s| Some(Band { lowest_rad_s, highest_rad_s });
     let of = |system: WaveSystem| system.components(0, 0, &water).unwrap_err().to_string();

@@ -1,4 +1,4 @@
-//! A ship that moves in waves by its displacement RAOs.
+//! A ship whose motion in waves is prescribed by its displacement RAOs.
 
 use crate::common;
 
@@ -33,7 +33,7 @@ fn csv() -> String {
     text
 }
 
-/// Returns the table in OrcaFlex's words, with every convention turned over.
+/// Returns the table in OrcaFlex's format, with every convention reversed.
 fn orcaflex() -> String {
     let mut text = "%YAML 1.1\n# Type: Model\n---\nVesselTypes:\n  - Name: Ship\n    Length: 80\n    RAOResponseUnits: radians\n    \
                     RAOWaveUnit: amplitude\n    WavesReferredToBy: frequency (Hz)\n    RAOPhaseConvention: leads\n    \
@@ -77,9 +77,10 @@ fn build(text: &str, raos: String) -> Result<Simulation, String> {
 
 const REGULAR: &str = "waves: {swell: {regular: {height_m: 3, period_s: 8, direction_deg: 120}}}";
 
-/// a |X| cos(w t - k.x - lag) at the ship's place and heading, its rate and its acceleration; the mean place and heading stay.
+/// a |X| cos(w t - k.x - lag) at the ship's position and heading, its rate and its acceleration; the mean
+/// position and heading do not change.
 #[test]
-fn a_ship_in_a_regular_wave_moves_as_its_raos_say() {
+fn a_ship_in_a_regular_wave_moves_by_its_raos() {
     let place = ", position_m: [30, -20, 1], heading_deg: 30";
     let mut ship = build(&scenario(place, REGULAR), csv()).unwrap();
     let omega = TAU / 8.0;
@@ -114,9 +115,9 @@ fn a_ship_in_a_regular_wave_moves_as_its_raos_say() {
     assert!((position[0] - 30.0).abs() < 3.0 && (position[1] + 20.0).abs() < 3.0);
 }
 
-/// The work of what moves the ship is its energy, through the ramp and in a random sea.
+/// The work of the prescribed motion is the ship's energy, through the ramp and in a random sea.
 #[test]
-fn what_moves_a_ship_does_the_work() {
+fn the_work_of_a_prescribed_wave_motion_is_in_the_ledger() {
     let sea = "ramp_s: 10, waves: {wind: {jonswap: {significant_height_m: 2, peak_period_s: 9, direction_deg: 40}}}";
     let mut ship = build(&scenario(", origin_m: [2, 0, -1]", sea), csv()).unwrap();
     assert!(ship.state().v.iter().chain(&ship.state().q).all(|x| *x == 0.0));
@@ -126,7 +127,7 @@ fn what_moves_a_ship_does_the_work() {
 }
 
 #[test]
-fn both_files_say_the_same() {
+fn both_file_formats_give_the_same_raos() {
     let (ours, theirs) = (RaoTable::read(&csv()).unwrap(), RaoTable::read(&orcaflex()).unwrap());
     assert_eq!((theirs.symmetric, theirs.origin_m), (Some(false), [0.0; 3]));
     for direction in 0..24 {
@@ -169,9 +170,9 @@ fn phases_may_refer_to_the_wave_at_another_point() {
     assert_eq!(of_point, of_origin);
 }
 
-/// Surge, heave and pitch are the same in the mirrored wave; sway, roll and yaw turn their sign.
+/// Surge, heave and pitch are equal in the mirrored wave; sway, roll and yaw change sign.
 #[test]
-fn half_a_circle_is_enough_where_port_is_as_starboard() {
+fn half_a_circle_of_directions_is_enough_for_a_symmetric_ship() {
     let half: String = csv()
         .lines()
         .filter(|line| !["210,", "240,", "270,", "300,", "330,"].iter().any(|d| line.starts_with(d)))
@@ -188,7 +189,7 @@ fn half_a_circle_is_enough_where_port_is_as_starboard() {
 }
 
 #[test]
-fn files_that_leave_something_open_are_refused() {
+fn files_with_missing_conventions_are_refused() {
     let refused = |raos: String, message: &str| {
         let error = build(&scenario("", REGULAR), raos).map(drop).unwrap_err();
         assert!(error.contains("bodies.ship.joint.moved_by_waves.raos") && error.contains(message), "{error}");
@@ -214,7 +215,7 @@ fn files_that_leave_something_open_are_refused() {
 }
 
 #[test]
-fn a_ship_that_moves_as_the_waves_say_stays_in_its_sea() {
+fn the_sea_of_a_ship_moved_by_waves_cannot_be_replaced() {
     let mut ship = build(&scenario("", REGULAR), csv()).unwrap();
     assert_eq!(ship.set_waves(&[1.5], &[1.0]), Err(InputError::MovedByWaves));
 }

@@ -1,4 +1,4 @@
-//! View of the sea: the hull's place in it and the surface around.
+//! View of the sea: the hull's position and the surface around it.
 
 use crate::common;
 
@@ -29,7 +29,7 @@ fn a_hull_is_described_from_its_centre_of_mass() {
     assert_eq!(calm.wave_components, 0);
 }
 
-/// The surface drawn is the one that pushes the hull: at the hull's mean place it is the channel's.
+/// The drawn surface is the one that acts on the hull: at the hull's mean position it equals the channel.
 #[test]
 fn the_surface_is_the_wave_that_the_hull_feels() {
     let mut simulation = Simulation::new(scenario(&[(SWELL, json!(true))]).setup().expect("it builds"));
@@ -48,8 +48,9 @@ fn the_surface_is_the_wave_that_the_hull_feels() {
     assert_eq!(calm.surface(&[0.0, 1.0], &[2.0]), [0.0, 0.0]);
 }
 
-/// The place that the loads are taken at is a state like any other: halving the step of RK4 moves the end of a run in waves
-/// by its order. The ramp of the waves is smooth to its second derivative, and ends before.
+/// The position at which loads are evaluated is a state like any other: halving the step of RK4 changes the
+/// end of a run in waves by its order. The ramp of the waves is smooth to its second derivative, and ends
+/// before.
 #[test]
 fn loads_of_the_sea_have_the_order_of_the_scheme() {
     let end = |step_s: f64| {

@@ -1,4 +1,4 @@
-//! Slack tanks in scenarios: metacentric height, heel, righting arms, energy, derivatives, bad input.
+//! Slack tanks in scenarios: metacentric height, heel, righting arms, energy, derivatives, invalid input.
 
 use crate::common;
 
@@ -48,10 +48,10 @@ fn corrections(density: f64) -> [f64; 2] {
     [length * breadth.powi(3), breadth * length.powi(3)].map(|moment| density * moment / (12.0 * MASS))
 }
 
-/// GM falls by `rho i / M`, wherever the tank is and however full (Barrass & Derrett, *Ship Stability for Masters
-/// and Mates*, ch. on free surface). Settling leaves 1e-9 of each.
+/// GM falls by `rho i / M`, for any position and filling of the tank (Barrass & Derrett, *Ship Stability for
+/// Masters and Mates*, ch. on free surface). Settling leaves 1e-9 of each.
 #[test]
-fn a_free_surface_takes_its_second_moment_over_the_displacement_off_the_metacentric_height() {
+fn a_free_surface_reduces_the_metacentric_height_by_its_second_moment_over_the_displacement() {
     let without = afloat(&barge_with(tank(0.5, json!({"enabled": false})), &[]));
     assert!(without.free_surfaces.is_empty());
     for (filling, more, density) in [
@@ -95,7 +95,7 @@ fn heel(shift: f64, free_surface: f64) -> f64 {
 }
 
 #[test]
-fn a_load_moved_athwartships_heels_a_ship_with_a_slack_tank_as_statics_say() {
+fn the_heel_of_a_ship_with_a_slack_tank_by_a_load_moved_athwartships_is_the_static_heel() {
     let shift = 2.0;
     let begin = [("shift_m", json!(shift)), ("simulation.begin_at_equilibrium", Value::Bool(true))];
     for (enabled, free_surface) in [(true, corrections(OIL)[0]), (false, 0.0)] {
@@ -111,7 +111,7 @@ fn a_load_moved_athwartships_heels_a_ship_with_a_slack_tank_as_statics_say() {
 
 /// `GZ = sin (GM + (BM - i) tan^2 / 2)` until the tank's surface meets its top, at tan = 3 / 9.
 #[test]
-fn the_righting_arms_are_those_of_the_liquid_as_it_lies_at_each_heel() {
+fn the_righting_arms_include_level_liquid_at_each_heel() {
     let hull = afloat(&barge_with(tank(0.5, json!({})), &[]));
     let [gm, bm, off] = [hull.metacentric_height_m[0], hull.metacentric_radius_m[0], corrections(OIL)[0]];
     let points = hull.righting_arm.expect("a mesh").points;
@@ -145,7 +145,7 @@ fn a_ship_rests_where_its_righting_arm_with_tanks_is_zero() {
 /// `W GM dphi = w cos(phi) dy`: about a list at which the surface meets the top as about upright. Differences over
 /// 1 cm err by its square.
 #[test]
-fn a_small_moment_heels_by_the_metacentric_height_less_that_of_the_surface_as_it_stands() {
+fn the_heel_by_a_small_moment_follows_gm_reduced_by_the_present_free_surface() {
     for (filling, shift) in [(0.5, 0.0), (0.8, 4.0)] {
         let at = |shift: f64| afloat(&barge_with(tank(filling, json!({})), &[("shift_m", json!(shift))]));
         let (hull, step) = (at(shift), 0.01);
@@ -155,9 +155,9 @@ fn a_small_moment_heels_by_the_metacentric_height_less_that_of_the_surface_as_it
     }
 }
 
-/// Liquid that hangs with a load does not heel with the ship.
+/// Liquid in a hanging load does not heel with the ship.
 #[test]
-fn a_tank_in_a_hanging_load_takes_nothing_off_the_metacentric_height_and_one_on_a_mast_does() {
+fn a_tank_on_a_mast_reduces_the_metacentric_height_and_one_in_a_hanging_load_does_not() {
     let on = |body: &str| {
         let small = json!({"body": body, "length_m": 2.0, "breadth_m": 2.0, "height_m": 1.0});
         let hull = afloat(&barge_with(tank(0.5, small), &[]));
@@ -168,7 +168,7 @@ fn a_tank_in_a_hanging_load_takes_nothing_off_the_metacentric_height_and_one_on_
     near(on("mast"), hanging + OIL * 16.0 / (12.0 * MASS), 1e-8);
 }
 
-/// A body on a hinge along y, its centre of mass on it: nothing but the tank turns it.
+/// A body on a hinge along y, with its centre of mass on the hinge: only the tank exerts a moment.
 fn hinged(fields: &str, angle: f64) -> String {
     format!(
         "version: 1\ntitle: A tank on a hinge\nsimulation: {{step_s: 0.01, duration_s: 20}}\nbodies:\n  drum:\n    \
@@ -201,8 +201,8 @@ fn a_full_an_empty_and_a_disabled_tank_do_nothing() {
     }
 }
 
-/// It turns over and over, the surface meeting every wall: RK4's error with a step of 10 ms, and where a surface passes
-/// a corner the third derivative jumps.
+/// The tank turns over and over, and the surface meets every wall: RK4's error with a step of 10 ms, plus the
+/// jump of the third derivative where a surface passes a corner.
 #[test]
 fn energy_closes_while_a_tank_turns_over() {
     let error = |step_s: f64| {
@@ -247,13 +247,13 @@ fn energy_closes_in_a_roll_in_calm_water() {
 }
 
 #[test]
-fn a_slack_tank_linearised_is_central_differences() {
+fn the_linearisation_of_a_slack_tank_agrees_with_central_differences() {
     assert_linearised(&hinged("filling: 0.5", 0.2));
     assert_linearised(&hinged("filling: 0.1, density_kg_m3: 850", 0.9));
 }
 
 #[test]
-fn runs_with_tanks_side_by_side_have_the_bits_that_they_have_alone() {
+fn runs_with_tanks_in_lanes_are_bitwise_identical_to_single_runs() {
     let text = hinged("filling: 0.5", 0.1).replace("duration_s: 20", "duration_s: 2");
     let field = "forces.tank.slack_tank";
     let variant = |filling: f64, length: f64, density: f64| -> Variant {
@@ -278,7 +278,7 @@ fn refused(overrides: &[(&str, Value)]) -> String {
 }
 
 #[test]
-fn bad_tanks_are_refused_at_their_field() {
+fn invalid_tanks_are_refused_at_their_field() {
     let field = |name: &str| format!("forces.tank.slack_tank.{name}");
     for (name, value, words) in [
         ("filling", json!(1.2), "found 1.2, allowed: a number from 0 to 1"),

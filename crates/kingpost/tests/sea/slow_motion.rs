@@ -1,4 +1,5 @@
-//! A hull that drifts: what of its loads belongs to the water's flow, to its slow place, and to the second order.
+//! A drifting hull: which of its loads depend on the flow of water, on its slowly varying position, and on
+//! second-order effects.
 
 use crate::common;
 
@@ -46,7 +47,7 @@ fn regular(period_s: f64, direction_rad: f64) -> (&'static str, Value) {
     )
 }
 
-/// Springs that hold the vessel in the plane, soft against the waves: periods of a minute or two.
+/// Springs that hold the vessel in the plane, soft compared with the waves: periods of a minute or two.
 fn moored() -> Vec<(&'static str, Value)> {
     let line = |from: [f64; 2], to: [f64; 2]| {
         json!({"spring_line": {
@@ -63,10 +64,10 @@ fn moored() -> Vec<(&'static str, Value)> {
     ]
 }
 
-/// Galilei: seen from the water, a vessel that drifts with the current is at rest in still water; and one that has a
-/// velocity against it moves as one with that velocity in still water.
+/// Galilean invariance: relative to the water, a vessel that drifts with the current is at rest in still
+/// water, and one with a velocity relative to the current moves like one with that velocity in still water.
 #[test]
-fn a_ship_that_drifts_with_the_current_moves_as_one_in_still_water() {
+fn a_ship_drifting_with_the_current_moves_like_one_in_still_water() {
     let (cx, cy) = (1.0, 0.7);
     let mut adrift = simulation(&[(CURRENT, json!([cx, cy])), (VELOCITY, json!([cx, cy, 0.0]))]);
     adrift.step(1200).expect("it runs");
@@ -86,7 +87,7 @@ fn a_ship_that_drifts_with_the_current_moves_as_one_in_still_water() {
     assert!(still.state().q[3..].iter().any(|q| q.abs() > 0.05), "it turns by Munk's moment: {:?}", still.state().q);
 }
 
-/// Checks that the springs take a steady current from the start: potential flow has no drag.
+/// Checks that a steady current exerts no force on the springs from the start: potential flow has no drag.
 #[test]
 fn a_run_that_begins_at_equilibrium_in_a_current_stays_there() {
     let mut more = moored();
@@ -103,7 +104,7 @@ fn a_run_that_begins_at_equilibrium_in_a_current_stays_there() {
 /// Munk's moment -(A22 - A11) u v turns a ship that moves obliquely, with the added mass of slow motions; a table of current
 /// coefficients has it in its own yaw moment (Faltinsen 1990, ch. 6), so that beside one, even of zeros, there is none.
 #[test]
-fn munks_moment_comes_once_and_by_the_added_mass_at_frequency_zero() {
+fn munks_moment_occurs_once_with_the_added_mass_at_zero_frequency() {
     let obliquely = (VELOCITY, json!([0.8, 0.5, 0.0]));
     let database = Database::read(vessel::DATABASE).expect("it reads");
     let remembered = Radiation::new(database.radiation.as_ref().expect("it has a memory")).added_mass();
@@ -139,7 +140,7 @@ fn the_memory_takes_up_the_added_mass_of_slow_motions() {
     }
 }
 
-/// X2's amplitude per metre and D of surge, sway and yaw at a direction of the database's grid.
+/// Returns X2's amplitude per metre and D of surge, sway and yaw at a direction of the database's grid.
 fn data(period_s: f64, direction_rad: f64) -> (f64, [f64; 3]) {
     let database = Database::read(vessel::DATABASE).expect("it reads");
     let at = libm::round(direction_rad / database.wave_directions_rad[1]) as usize;
@@ -209,7 +210,8 @@ fn hann(k: usize, steps: usize) -> f64 {
     (1.0 - libm::cos(TAU * k as f64 / steps as f64)) / steps as f64
 }
 
-/// Mean loads in waves are of second order, and all of them are in D: without it a free ship neither creeps nor turns.
+/// Mean loads in waves are of second order and all contained in D: without D a free ship neither drifts nor
+/// turns.
 #[test]
 fn without_drift_a_free_ship_in_regular_waves_stays() {
     let database = Database::read(vessel::DATABASE).expect("it reads");
@@ -238,8 +240,8 @@ fn a_bare_hull_in_regular_waves_keeps_its_heading() {
     }
 }
 
-/// A load of 200 t on a pendulum over y = 10 m in a head sea, with as much ballast on the other side: what it pulls has no mean
-/// moment about the ship and itself, and turns it no more than a load that is fixed there.
+/// A load of 200 t on a pendulum over y = 10 m in a head sea, with equal ballast on the other side: its pull
+/// has no mean moment about the ship, and turns the ship no more than a load that is fixed there.
 #[test]
 fn a_load_that_swings_over_the_side_does_not_turn_a_ship_out_of_a_head_sea() {
     let body = |joint: Value, centre: [f64; 3]| {
@@ -332,7 +334,7 @@ fn motions_grow_with_the_waves() {
 }
 
 #[test]
-fn drift_and_the_waves_pressure_do_not_act_together() {
+fn drift_together_with_wave_pressure_is_refused() {
     let both = [
         regular(8.0, PI),
         ("forces.water.hydrodynamics.hydrostatics", json!("mesh")),

@@ -1,4 +1,4 @@
-//! Ships that a soft hold keeps near their places, against closed forms.
+//! Ships on a soft hold, against closed forms.
 
 use crate::common;
 
@@ -71,7 +71,8 @@ fn a_soft_hold_moves_a_ship_neither_up_nor_down_nor_in_roll_and_pitch() {
     assert!(velocity[2].abs() < 1e-12 && rates[..3].iter().all(|rate| rate.abs() < 1e-12), "{velocity:?} {rates:?}");
 }
 
-/// Its moment does work on yaw as an angle, none on roll and pitch: along the columns of omega = E (roll', pitch', yaw').
+/// Its moment does work on yaw as an angle, and none on roll and pitch: along the columns of omega = E
+/// (roll', pitch', yaw').
 #[test]
 fn a_heeled_and_trimmed_ship_gets_a_moment_of_yaw_alone() {
     let initial = "position_m: [4, 1, 3], orientation_deg: [12, -8, 25]";
@@ -94,7 +95,7 @@ fn a_heeled_and_trimmed_ship_gets_a_moment_of_yaw_alone() {
 /// 3 m ahead and 4 m to port of the place in axes of a heading of 30 degrees, which the ship is 90 degrees beyond: -4 m ahead
 /// along her own, and 3 m to starboard.
 #[test]
-fn it_shows_how_far_off_the_ship_is_and_what_it_pulls_along_the_ships_heading() {
+fn a_soft_hold_reports_offset_and_force_along_the_ships_heading() {
     let (sin, cos) = libm::sincos(30_f64.to_radians());
     let initial =
         format!("position_m: [{}, {}, 3], orientation_deg: [0, 0, 120]", 3.0 * cos - 4.0 * sin, 3.0 * sin + 4.0 * cos);
@@ -112,7 +113,7 @@ fn it_shows_how_far_off_the_ship_is_and_what_it_pulls_along_the_ships_heading() 
     assert!((values(&mut ship, "potential_energy")[0] / stored - 1.0).abs() < 1e-12);
 }
 
-/// A ship that tumbles and is far off: what the ledger is off by falls with the scheme's order, 4.
+/// For a ship that tumbles far from its target, the error of the ledger falls with the scheme's order, 4.
 #[test]
 fn its_energy_closes_to_the_order_of_the_scheme() {
     let initial = "position_m: [10, -5, 3], orientation_deg: [20, 10, 60], velocity_m_s: [1, 2, 0], \
@@ -144,7 +145,7 @@ fn held_barge(hold: Value) -> Simulation {
 /// mass couples sway and yaw, 0.15 m apart, by 1e-4 of both; roll and pitch are 30 times as fast, and follow. The waves that
 /// the barge makes add B / 2 m omega to the damping ratio, 0.0013 at most.
 #[test]
-fn a_barge_on_the_water_swings_with_the_periods_that_are_asked_for() {
+fn a_barge_on_a_soft_hold_swings_with_the_specified_periods() {
     let periods_s = [100.0, 130.0, 80.0];
     let scenario =
         barge::scenario(&[("forces.hold", json!({"soft_hold": {"body": "hull", "natural_periods_s": periods_s}}))]);
@@ -165,7 +166,7 @@ fn a_barge_on_the_water_swings_with_the_periods_that_are_asked_for() {
 /// Checks the stiffness by the barge's own mass, 410 t with mast and load, and that of the water by formula:
 /// A(w) = A_inf + Im K / w, even in the frequency, at 1e-5 rad/s.
 #[test]
-fn its_stiffness_counts_the_water_that_moves_with_the_hull() {
+fn the_stiffness_of_a_soft_hold_includes_the_added_mass() {
     let [full, without, dry] = [(true, true), (false, true), (false, false)].map(|(radiation, added_mass)| {
         let of_water = |field: &str| format!("forces.water.hydrodynamics.{field}");
         let (radiated, added) = (of_water("radiation"), of_water("added_mass"));
@@ -187,7 +188,8 @@ fn its_stiffness_counts_the_water_that_moves_with_the_hull() {
     }
 }
 
-/// Without a target it is held where the scenario puts it; at equilibrium, heeled and trimmed, the point that is held is there.
+/// Without a target the ship is held at its initial position; at equilibrium, heeled and trimmed, the held
+/// point is there.
 #[test]
 fn a_ship_is_held_where_it_starts_and_rests_there() {
     let mut moved = held_barge(json!({"body": "hull"}));
@@ -203,7 +205,7 @@ fn a_ship_is_held_where_it_starts_and_rests_there() {
 }
 
 #[test]
-fn what_cannot_be_held_is_refused_at_its_field() {
+fn an_invalid_soft_hold_is_refused_at_its_field() {
     let told = |text: &str| read(text, "test.yaml", &[]).expect_err("it is refused").to_string();
     let text = ship("position_m: [0, 0, 3]", [0.0, 0.0, 5.0], "");
     let words = told(&text.replace("body: ship", "body: mast"));

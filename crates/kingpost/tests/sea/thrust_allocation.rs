@@ -1,4 +1,4 @@
-//! Shares of thrusters and response of a wave filter, against closed forms.
+//! Thrust allocation and the response of a wave filter, against closed forms.
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use kingpost::elements::dynamic_positioning::{Allocation, Thruster, ThrusterKind, WaveFilter};
@@ -17,7 +17,7 @@ fn azimuth(x: f64, y: f64, limit: f64) -> Thruster {
     Thruster { kind: ThrusterKind::Azimuth { limit }, ..fixed(x, y, 0.0, [limit; 2]) }
 }
 
-/// B f.
+/// Returns B f.
 fn given(allocation: &Allocation, demand: [f64; 3]) -> [f64; 3] {
     let mut sum = [0.0; 3];
     for (i, thruster) in allocation.thrusters().iter().enumerate() {
@@ -37,7 +37,7 @@ fn utilisation(allocation: &Allocation, demand: [f64; 3]) -> Vec<f64> {
 /// (1, -1) of the propellers and -+2b / (x1 - x2) of the tunnels, and of that least sum of squared utilisations takes its
 /// part.
 #[test]
-fn two_tunnels_and_two_propellers_share_as_a_hand_calculation_does() {
+fn the_allocation_to_two_tunnels_and_two_propellers_is_that_of_a_hand_calculation() {
     let ([x1, x2, b], [t, p]) = ([30.0, -25.0, 4.0], [1.2e5, 4e5]);
     let thrusters = vec![
         fixed(x1, 0.0, FRAC_PI_2, [t, t]),
@@ -72,10 +72,11 @@ fn random_allocation(rng: &mut StdRng, heading_first: bool) -> Allocation {
     Allocation::new(thrusters, heading_first).unwrap()
 }
 
-/// B P tau = tau; no other thrusts that give tau use less; a demand beyond the limits is met along its own direction by the
-/// largest share at which one thruster is at its limit, or its moment first and then its force.
+/// B P tau = tau; no other thrusts that give tau have a smaller norm; a demand beyond the limits is met along
+/// its direction by the largest share at which one thruster is at its limit, or its moment first and then its
+/// force.
 #[test]
-fn random_thrusters_give_what_is_asked_and_keep_their_limits() {
+fn random_thrusters_provide_the_demand_within_their_limits() {
     let mut rng = StdRng::seed_from_u64(5);
     for case in 0..200 {
         let heading_first = case % 2 == 0;
@@ -145,8 +146,8 @@ fn response(filter: &WaveFilter, omega: f64) -> Complex<f64> {
     Complex::new(passed(1.0, &|x| x.re), passed(0.0, &|x| x.im))
 }
 
-/// h(s) of Fossen (2011), sec. 11.1.2, at any frequency; all of what does not change, and of the notch's own wave no more
-/// than its damping ratio.
+/// h(s) of Fossen (2011), sec. 11.1.2, at any frequency; a constant passes fully, and the notch's wave by no
+/// more than its damping ratio.
 #[test]
 fn the_wave_filter_has_its_transfer_function() {
     let (notch, zeta, cutoff, damping) = (TAU / 9.0, 0.1, TAU / 15.0, 0.6);

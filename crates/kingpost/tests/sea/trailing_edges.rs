@@ -1,4 +1,5 @@
-//! Fins that swim: Lighthill's force at the trailing edge, and bodies that change their shape in an ideal fluid.
+//! Swimming fins: Lighthill's force at the trailing edge, and bodies that change their shape in an ideal
+//! fluid.
 
 use crate::common;
 
@@ -59,7 +60,8 @@ fn mass_per_length() -> f64 {
     FRAC_PI_4 * 1000.0 * SPAN * SPAN
 }
 
-/// Mean thrust over one period of the steady oscillation: what the carriage need not push, and the force at the edge.
+/// Mean thrust over one period of the steady oscillation: the reduction of the carriage's force, and the
+/// force at the edge.
 fn thrusts(text: &str) -> [f64; 2] {
     let mut simulation = simulation(text);
     simulation.step(3 * SAMPLES).unwrap();
@@ -88,7 +90,7 @@ fn mean_by_the_motion(heave: f64, pitch: f64) -> f64 {
 }
 
 #[test]
-fn a_towed_fin_pushes_with_lighthills_mean_thrust() {
+fn a_towed_fin_has_lighthills_mean_thrust() {
     // Large: Lighthill, Proc. R. Soc. Lond. B 179 (1971), p. 125. The mean of the added mass' force is zero.
     for (heave, pitch) in [(0.1, 0.35), (0.2, 0.1), (0.05, 0.6)] {
         let [carriage, edge] = thrusts(&towed(heave, pitch));
@@ -112,7 +114,7 @@ fn a_towed_fin_pushes_with_lighthills_mean_thrust() {
 }
 
 #[test]
-fn a_fin_in_a_current_feels_what_a_towed_fin_feels() {
+fn a_fin_in_a_current_has_the_force_of_a_towed_fin() {
     let text = towed(0.1, 0.35);
     let held = text
         .replace(&format!("speed_m_s: {SPEED}"), "speed_m_s: 0")
@@ -123,7 +125,7 @@ fn a_fin_in_a_current_feels_what_a_towed_fin_feels() {
 }
 
 #[test]
-fn an_edge_acts_with_the_share_of_its_span_that_is_under_water() {
+fn a_trailing_edge_acts_with_the_submerged_share_of_its_span() {
     let thrust_at = |depth: f64| {
         let text = towed(0.1, 0.35).replace("position_m: [0, 0, -5]", &format!("position_m: [0, 0, {}]", -depth));
         thrusts(&text)[1]

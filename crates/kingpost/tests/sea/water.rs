@@ -16,7 +16,7 @@ const BEGIN: &str = "simulation.begin_at_equilibrium";
 const MAST: &str = "bodies.mast.joint.prismatic.position_m";
 const SWELL: &str = "sea.waves.swell.regular.enabled";
 
-/// A run's values of one entry of a channel.
+/// Returns the values of one entry of a channel over a run.
 fn column(channels: &[Channel], run: &Run, variable: &str, entry: usize) -> Vec<f64> {
     let channel = channels.iter().find(|channel| channel.variable == variable).expect("a channel");
     run.rows.chunks_exact(run.columns).map(|row| row[channel.offset + entry]).collect()
@@ -32,7 +32,7 @@ fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |most, value| value.abs().max(most))
 }
 
-/// Rolls, pitches and drifts, with a swinging load.
+/// A barge that rolls, pitches and drifts, with a swinging load.
 const MOTION: [(&str, &str); 2] = [
     ("bodies.hull.joint.floating.initial.orientation_rad", "[0.05, 0.02, 0.4]"),
     ("bodies.hull.joint.floating.initial.velocity_m_s", "[0.5, -0.3, 0.2]"),
@@ -83,7 +83,7 @@ fn the_water_and_the_ship_keep_their_momentum_along_the_water_plane() {
 }
 
 #[test]
-fn a_load_moved_athwartships_heels_the_barge_as_statics_say() {
+fn the_heel_of_a_barge_by_a_load_moved_athwartships_is_the_static_heel() {
     // Wall-sided and upright: W (KB + BM sec-form) balances when the centres are above one another.
     // Of a box: sin(phi) (GM + BM tan^2(phi) / 2) = moment cos(phi) / W, the hanging load at its sheave.
     let shift = 5.0;
@@ -113,7 +113,7 @@ fn a_load_moved_athwartships_heels_the_barge_as_statics_say() {
 }
 
 #[test]
-fn linear_and_mesh_hydrostatics_float_alike_at_small_angles() {
+fn linear_and_mesh_hydrostatics_agree_at_small_angles() {
     let place = |hydrostatics: &str| {
         let overrides =
             [("shift_m", json!(0.5)), (MAST, json!([0.0, 0.0, 7.0])), (HYDROSTATICS, json!(hydrostatics)), (BEGIN, ON)];
@@ -128,7 +128,7 @@ fn linear_and_mesh_hydrostatics_float_alike_at_small_angles() {
     assert!((linear[2] - (2.0 - draught)).abs() < 1e-3, "{}", linear[2]);
 }
 
-/// The water has always seen it move so: there is no transient either.
+/// The barge has always moved in this way relative to the water, so there is no transient.
 #[test]
 fn a_steady_drift_in_calm_water_leaves_no_drag() {
     let overrides = [
@@ -147,9 +147,10 @@ fn a_steady_drift_in_calm_water_leaves_no_drag() {
     }
 }
 
-/// A line of 2e5 N/m pulls it by 2 m and goes slack. Once the waves that the pull made are gone, the speed stays.
+/// A line of 2e5 N/m pulls the barge by 2 m and becomes slack. After the waves from the pull have radiated
+/// away, the speed stays constant.
 #[test]
-fn a_hull_that_was_pulled_radiates_and_then_drifts_without_drag() {
+fn a_hull_that_was_pulled_radiates_waves_and_then_drifts_without_drag() {
     let line = json!({"spring_line": {
         "first": {"body": "hull", "position_m": [0, 0, 2]}, "second": {"body": "world", "position_m": [500, 0, 0]},
         "unstretched_length_m": 498, "axial_stiffness_N": 2e5 * 498.0,
@@ -222,7 +223,7 @@ fn a_regular_wave_gives_the_heave_of_the_transfer_function() {
 }
 
 #[test]
-fn the_waves_of_random_motions_never_give_back_more_than_they_took() {
+fn radiated_waves_of_random_motions_never_return_more_energy_than_they_took() {
     // Positive real: the work of the radiation force from rest is never positive.
     let text = barge::database();
     let database = kingpost::sea::database::Database::read(&text).expect("a database");
@@ -256,7 +257,7 @@ fn the_waves_of_random_motions_never_give_back_more_than_they_took() {
 }
 
 #[test]
-fn both_forms_of_the_equations_move_a_hull_alike() {
+fn both_forms_of_the_equations_give_a_hull_the_same_motion() {
     let end = |form: &str| {
         let overrides = moving(&[("simulation.form", json!(form)), (SWELL, ON), ("simulation.duration_s", json!(2.0))]);
         let mut simulation = Simulation::new(scenario(&overrides).setup().expect("it builds"));
@@ -269,7 +270,7 @@ fn both_forms_of_the_equations_move_a_hull_alike() {
 }
 
 #[test]
-fn a_run_in_waves_goes_on_from_a_snapshot_to_the_same_bits() {
+fn a_run_in_waves_continues_bitwise_identically_from_a_snapshot() {
     let overrides = moving(&[("sea.waves.wind_sea.jonswap.enabled", ON)]);
     let mut simulation = Simulation::new(scenario(&overrides).setup().expect("it builds"));
     simulation.step(100).expect("it runs");
@@ -284,7 +285,7 @@ fn a_run_in_waves_goes_on_from_a_snapshot_to_the_same_bits() {
 }
 
 #[test]
-fn an_equilibrium_has_the_derivatives_of_the_loads_that_make_it() {
+fn an_equilibrium_has_the_derivatives_of_its_loads() {
     // The run begins in waves and with the mast under way: the equilibrium knows neither.
     let under_way = json!({"speed_m_s": 0.2, "history": "pulse", "pulse": {"rise_s": 1, "hold_s": 2, "reverse_s": 0}});
     let overrides = [
@@ -320,7 +321,7 @@ fn an_equilibrium_has_the_derivatives_of_the_loads_that_make_it() {
 }
 
 #[test]
-fn runs_in_one_sea_side_by_side_are_those_alone_to_the_bit() {
+fn runs_in_one_sea_in_lanes_are_bitwise_identical_to_single_runs() {
     use kingpost::batch;
     let variant = |shift: f64| {
         let pairs = [("shift_m", json!(shift)), ("sea.waves.wind_sea.jonswap.enabled", ON), (BEGIN, ON)];
@@ -336,7 +337,7 @@ fn runs_in_one_sea_side_by_side_are_those_alone_to_the_bit() {
     }
 }
 
-/// The spectrum of the barge's wind sea at gamma = 1: `e^(-(5/4) (w_p / w)^4)` of its energy is below w.
+/// The share of the energy of the barge's wind sea below w, at gamma = 1, is `e^(-(5/4) (w_p / w)^4)`.
 #[test]
 fn a_cut_of_a_spectrum_is_described_and_one_of_nothing_is_refused() {
     let jonswap = "sea.waves.wind_sea.jonswap";
@@ -361,7 +362,7 @@ fn a_cut_of_a_spectrum_is_described_and_one_of_nothing_is_refused() {
 }
 
 #[test]
-fn what_a_database_lacks_is_told_at_its_field() {
+fn missing_data_of_a_database_are_reported_at_the_field() {
     let error = |overrides: &[(&str, Value)]| {
         let pairs: Vec<(String, Value)> = overrides.iter().map(|(n, v)| ((*n).to_owned(), v.clone())).collect();
         let read = kingpost::scenario::read_with(barge::TEXT, "barge.yaml", &pairs, &barge::files());

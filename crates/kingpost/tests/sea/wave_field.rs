@@ -48,7 +48,7 @@ const DIFFERENCES: f64 = 2e-7;
 
 /// Laplace's equation for the potential: no divergence and no curl of the velocity.
 #[test]
-fn the_water_keeps_its_volume_and_does_not_turn() {
+fn the_wave_velocity_field_is_free_of_divergence_and_curl() {
     for water in [SHALLOW, Water::default()] {
         let field = field(water);
         for point in points() {
@@ -129,8 +129,8 @@ fn a_regular_wave_has_the_closed_form() {
     assert!((field.elevation_m([1.0 / k, 0.0], 1.0) - 1.0).abs() < 1e-15);
 }
 
-/// Wheeler (1970): the field at the surface is the linear one of still water, and the pressure there,
-/// static and dynamic, is that of the air. The bottom stays the bottom.
+/// Wheeler (1970): the field at the surface is the linear one of still water, and the total pressure there is
+/// atmospheric. The bottom does not move.
 #[test]
 fn the_pressure_at_the_moving_surface_is_zero() {
     for water in [SHALLOW, Water::default()] {
@@ -272,7 +272,7 @@ fn the_phasors_sum_to_the_elevation() {
 
 /// Dual numbers: the derivative along x is the slope of the surface; lanes: the bits of plain numbers.
 #[test]
-fn the_field_passes_derivatives_and_lanes() {
+fn the_field_supports_derivatives_and_lanes() {
     let (plain, point) = (field(SHALLOW), Vector3::new(3.0, -8.0, -2.0));
     let over = |waves: &[WaveComponent]| waves.iter().map(|wave| wave.constant()).collect::<Vec<_>>();
     let dual: WaveField<Dual<1>> = WaveField::new(&over(&waves(&SHALLOW)), SHALLOW, 0.0);
@@ -288,8 +288,8 @@ fn the_field_passes_derivatives_and_lanes() {
     assert_eq!(together, [plain.pressure_pa(point, TIME); 4]);
 }
 
-/// Against the plain sums of sines and exponentials, point by point. Phases are up to 40 turns, so off by 1e-14 of a turn
-/// or 7e-14 rad in either, on 8 m of waves.
+/// Comparison with the plain sums of sines and exponentials, point by point. Phases are up to 40 turns, so
+/// their error is 1e-14 of a turn or 7e-14 rad in each, for 8 m of waves.
 #[test]
 fn the_waves_at_many_points_are_those_of_the_plain_sum_at_each() {
     for water in [SHALLOW, Water { depth_m: None, ..SHALLOW }] {
@@ -311,9 +311,10 @@ fn the_waves_at_many_points_are_those_of_the_plain_sum_at_each() {
     }
 }
 
-/// One regular wave: no surface is above its amplitude, and its crest is there, but for the billionth left for rounding.
+/// One regular wave: the surface never exceeds its amplitude, and its crest reaches it, except for the 1e-9
+/// allowed for rounding.
 #[test]
-fn the_highest_that_the_surface_may_be_is_the_crest_of_all_waves_together() {
+fn the_upper_bound_of_the_surface_is_the_sum_of_all_amplitudes() {
     let wave = WaveComponent::regular(3.0, TAU, 0.0, 0.0, &SHALLOW).unwrap();
     let field = WaveField::new(&[wave, wave], SHALLOW, 0.0);
     let mut at_points = WavesAtPoints::new(&field);
@@ -324,7 +325,7 @@ fn the_highest_that_the_surface_may_be_is_the_crest_of_all_waves_together() {
 
 /// On and above the surface the dynamic pressure is rho g times the elevation, in lanes as alone.
 #[test]
-fn points_in_lanes_have_the_bits_that_they_have_alone() {
+fn points_in_lanes_are_bitwise_identical_to_single_points() {
     for water in [SHALLOW, Water { depth_m: None, ..SHALLOW }] {
         let waves = waves(&water);
         let in_lanes: Vec<WaveComponent<Lanes>> = waves.iter().map(|wave| wave.constant()).collect();
@@ -348,9 +349,9 @@ fn points_in_lanes_have_the_bits_that_they_have_alone() {
     }
 }
 
-/// By central differences along all three axes, as of the plain sum.
+/// Agrees with central differences along all three axes, like the plain sum.
 #[test]
-fn the_waves_at_points_pass_derivatives() {
+fn the_waves_at_points_support_derivatives() {
     let over: Vec<WaveComponent<Dual<3>>> = waves(&SHALLOW).iter().map(|wave| wave.constant()).collect();
     let dual = WaveField::new(&over, SHALLOW, 0.0);
     let mut exact = WavesAtPoints::new(&dual);
@@ -368,7 +369,7 @@ fn the_waves_at_points_pass_derivatives() {
 
 /// On a grid the sines are products of one along x and one along y: the angles' sum, to rounding.
 #[test]
-fn the_surface_on_a_grid_is_that_of_each_crossing() {
+fn the_surface_on_a_grid_agrees_with_each_grid_point() {
     let field = WaveField::new(&waves(&SHALLOW), SHALLOW, 60.0);
     let (x, y) = ([-120.0, -3.0, 0.5, 88.0], [0.0, 41.0, -250.0]);
     let grid = field.elevations_m(&x, &y, TIME);

@@ -1,4 +1,4 @@
-//! Loads of waves on hulls beside the linear ones, and the kinds of waves that make them: closed forms.
+//! Nonlinear wave loads on hulls, and the kinds of waves: closed forms.
 
 use crate::common;
 
@@ -8,7 +8,7 @@ use kingpost::scenario::{Files, Scenario, ScenarioError, read_with};
 use kingpost::simulation::Simulation;
 use serde_json::{Value, json};
 
-/// A hull that stays where the loads are taken from: its slow frame does not move.
+/// A hull at the position at which loads are evaluated: its slow frame does not move.
 const TEXT: &str = "
 version: 1
 title: A hull in waves
@@ -157,7 +157,7 @@ fn the_waves_of_a_record_are_the_record() {
 }
 
 #[test]
-fn every_kind_of_sea_has_the_height_that_it_is_given() {
+fn every_kind_of_sea_has_its_specified_height() {
     // Deterministic amplitudes: the variance of the components is that of the whole spectrum. Over a run the mean square
     // of the elevation scatters, so it is held loosely here; the components are held closely by tests of their own.
     let files = [("hull.hydro.json", VESSEL.to_owned())];
@@ -178,7 +178,7 @@ fn every_kind_of_sea_has_the_height_that_it_is_given() {
 }
 
 #[test]
-fn what_wave_loads_lack_is_told_at_its_field() {
+fn missing_data_of_wave_loads_are_reported_at_the_field() {
     let barge = [("hull.hydro.json", barge::database())];
     let calm = || json!({"swell": regular(1.0, 8.0, 0.0, 0.0)});
     let told = |waves: Value, more: &[(&str, Value)]| {

@@ -139,7 +139,7 @@ fn begin_on(simulation: &mut Simulation, found: &WaveResponse, amplitude: f64) {
 
 /// Waves of unit amplitude from the mirrored side move an even barge as in a mirror.
 #[test]
-fn a_sea_from_ahead_moves_an_even_barge_in_its_plane_and_sides_are_mirror_images() {
+fn a_head_sea_moves_a_symmetric_barge_in_its_plane_and_both_sides_are_mirror_images() {
     let even = scenario(&[(MAST, json!([2.0, 0.0, 7.0]))]);
     let found = response(&even, &[core::f64::consts::PI, 1.0, -1.0], &[0.5, 1.0, 1.7]);
     let odd = [place(&found, "hull", 1), angle(&found, "hull", 0), angle(&found, "hull", 2), place(&found, "load", 1)];
@@ -183,7 +183,7 @@ fn the_response_turns_with_the_heading() {
 
 /// The phase is about the hull's own place, wherever in the world it is.
 #[test]
-fn the_response_is_that_of_the_hull_anywhere() {
+fn the_response_does_not_depend_on_the_hulls_position() {
     let moved = scenario(&[("bodies.hull.joint.floating.initial.position_m", json!([300.0, -40.0, 0.0]))]);
     let (here, there) = (response(&scenario(&[]), &[1.1], &[0.9]), response(&moved, &[1.1], &[0.9]));
     assert!((there.reference_m[0] - here.reference_m[0] - 300.0).abs() < 1e-9);
@@ -194,7 +194,7 @@ fn the_response_is_that_of_the_hull_anywhere() {
 }
 
 #[test]
-fn what_has_no_response_is_an_error() {
+fn a_model_without_a_response_is_an_error() {
     let ask = |scenario: &Scenario, direction: f64, frequencies_rad_s: Vec<f64>| {
         let simulation = Simulation::new(scenario.setup().expect("it builds"));
         scenario.wave_response(&simulation, &WaveGrid { directions_rad: vec![direction], frequencies_rad_s })

@@ -69,7 +69,7 @@ fn the_load_is_that_of_the_relative_velocity() {
 
 /// A wind from astern: m v' = c (U - v)^2 has v = U (1 - 1 / (1 + c U t / m)); energy is what the wind gives.
 #[test]
-fn a_following_wind_takes_a_ship_along() {
+fn a_following_wind_carries_a_ship_along() {
     let more = wind(", profile: uniform").replace("150", "0") + &wind_load("");
     let mut simulation = simulation(&ship("velocity_m_s: [0, 0, 0]", &more));
     simulation.step(1000).unwrap();
@@ -82,7 +82,7 @@ fn a_following_wind_takes_a_ship_along() {
 
 /// The force ahead goes with the square of the speed at the height of the load.
 #[test]
-fn profiles_of_wind_and_current_are_what_they_say() {
+fn profiles_of_wind_and_current_follow_their_formulas() {
     let surge = |more: &str| values(&mut simulation(&ship("velocity_m_s: [0, 0, 0]", more)), "flow_force")[0];
     let of_wind = |profile: &str| surge(&(wind(profile).replace("150", "0") + &wind_load(", height_m: 25")));
     let uniform = of_wind(", profile: uniform");
@@ -159,7 +159,7 @@ fn wind_and_current_are_linearised_exactly() {
 
 /// Without a spring nothing accelerates by where the ship is; with one it rests.
 #[test]
-fn a_free_ship_in_wind_has_no_equilibrium_and_is_told_what_to_do() {
+fn the_error_of_a_free_ship_in_wind_without_equilibrium_contains_advice() {
     let loads = wind("") + &wind_load("").replace("}}}}", "}}");
     let error = simulation(&ship("position_m: [0, 0, 0]", &(loads.clone() + "}}"))).settle().expect_err("it drifts");
     let words = error.to_string();
@@ -180,7 +180,7 @@ fn pushed_along(load: &str, column: &str, row: usize) -> String {
 }
 
 #[test]
-fn tables_and_winds_that_cannot_be_are_refused() {
+fn invalid_tables_and_winds_are_refused() {
     let refused = |text: &str, message: &str| {
         let error = read(&ship("velocity_m_s: [0, 0, 0]", text), "test.yaml", &[]).unwrap_err().to_string();
         assert!(error.contains(message), "{error}");
@@ -212,7 +212,7 @@ fn tables_and_winds_that_cannot_be_are_refused() {
 
 /// The wind goes to 150 degrees: it comes from -30, which is 60 degrees to starboard of a bow at 30.
 #[test]
-fn a_ship_reads_the_wind_from_where_it_blows() {
+fn a_ship_measures_the_direction_from_which_the_wind_blows() {
     for (heading_deg, from_deg) in [(30.0, 60.0), (-30.0, 0.0), (-120.0, -90.0), (150.0, 180.0_f64)] {
         let text = barge::TEXT.replace(
             "joint: {floating: {}}",
@@ -229,7 +229,7 @@ fn a_ship_reads_the_wind_from_where_it_blows() {
 
 /// Where nothing floats the world's x is ahead. At the height of a load the gusts are the same ones.
 #[test]
-fn the_wind_that_is_read_has_the_gusts_that_act() {
+fn the_measured_wind_contains_the_gusts() {
     let gusts = ", profile: npd, gusts: {spectrum: npd, components: 40, ramp_s: 0}";
     let text = ship("", &(wind(gusts) + &wind_load(", height_m: 10")));
     let mut found = simulation(&text);

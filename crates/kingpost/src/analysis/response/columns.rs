@@ -1,4 +1,4 @@
-//! How every column of the results answers small regular waves.
+//! Frequency response of the columns of the results to small regular waves.
 
 use super::excitation::WaveLoads;
 use super::not_linear::NotLinear;
@@ -11,11 +11,11 @@ use crate::simulation::Simulation;
 use nalgebra::{Complex, DMatrix};
 use serde::Serialize;
 
-/// Columns of the results for each metre of wave amplitude, as complex amplitudes H about their values at rest: as
-/// [`WaveResponse`](super::WaveResponse) has it, a column is `mean + Re{a H e^(-i w t)}`.
+/// Frequency response of columns of the results per metre of wave amplitude: complex amplitudes H about the
+/// values at rest. As in [`WaveResponse`](super::WaveResponse), a column is `mean + Re{a H e^(-i w t)}`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ColumnResponse {
-    /// Directions that the waves go to, rad.
+    /// Propagation directions of the waves, rad.
     pub directions_rad: Vec<f64>,
     /// Angular frequencies, rad/s.
     pub frequencies_rad_s: Vec<f64>,
@@ -25,28 +25,31 @@ pub struct ColumnResponse {
     pub heading_rad: f64,
     /// Names of the columns.
     pub columns: Vec<String>,
-    /// SI unit of each.
+    /// SI unit of each column.
     pub units: Vec<&'static str>,
-    /// The value of each at rest.
+    /// Value of each column at rest.
     pub mean: Vec<f64>,
-    /// Why a column has no H; absent where it has one.
+    /// Reason why a column has no H; `None` if it has one.
     pub not_linear: Vec<Option<NotLinear>>,
-    /// Real and imaginary part of H by direction, frequency and column; not a number where there is none.
+    /// Real and imaginary part of H by direction, frequency and column; NaN if there is no H.
     #[serde(skip)]
     pub amplitudes: Vec<[f64; 2]>,
-    /// Natural frequencies that waves may excite, the lowest first.
+    /// Natural frequencies that waves can excite, the lowest first.
     pub resonances: Vec<Resonance>,
-    /// Warnings for the user.
+    /// Warnings.
     pub warnings: Vec<String>,
 }
 
-/// The amplitude of waves by which columns are tried, m: far above rounding, far below what bends a curve.
+/// Amplitude of the waves with which columns are tested for linearity, m: far above rounding, and so small
+/// that a smooth column is linear.
 const PROBED_M: f64 = 1e-3;
-/// Directions of those waves beside the heading, rad, and their places among the frequencies.
+/// Test waves: direction relative to the heading, rad, and position within the range of frequencies, as a
+/// share.
 const PROBED: [[f64; 2]; 6] = [[0.7, 0.1], [0.7, 0.3], [0.7, 0.6], [2.3, 0.1], [2.3, 0.3], [2.3, 0.6]];
 
 impl Scenario {
-    /// How columns of the results of a simulation of it answer regular waves, as [`BuiltScenario::column_response`].
+    /// Returns the frequency response of columns of the results of a simulation of this scenario, like
+    /// [`BuiltScenario::column_response`].
     ///
     /// # Errors
     /// A scenario that does not build; as [`BuiltScenario::column_response`].
@@ -62,17 +65,18 @@ impl Scenario {
 }
 
 impl BuiltScenario {
-    /// How columns of the results of a simulation answer regular waves, as [`wave_response`](Self::wave_response) has its
-    /// motions; all columns where none are named. `about_resonances` adds frequencies about each that is narrower than the
-    /// steps between those asked for.
+    /// Returns the frequency response of columns of the results of a simulation, in regular waves as in
+    /// [`wave_response`](Self::wave_response); of all columns if `columns` is empty. `about_resonances` adds
+    /// frequencies about each resonance that is narrower than the steps between the requested frequencies.
     ///
-    /// With the states' amplitudes x and the forces f of waves of 1 m, `H = C x + D f + E`: C and D are the exact
-    /// derivatives of a row of results at rest by the states and by forces at the hulls (accelerations and what joints
-    /// carry follow the forces at once), E is what a column shows of the waves themselves, as their elevation. A column
-    /// that has no such derivative has no H, and the reason.
+    /// With the states' amplitudes x and the forces f of waves of 1 m, `H = C x + D f + E`: C and D are the
+    /// exact derivatives of a row of results at rest with respect to the states and to forces on the hulls (D
+    /// because accelerations and joint loads depend directly on the forces); E is the direct contribution of
+    /// the waves to a column, such as their elevation. A column without such a derivative has no H, but a
+    /// reason.
     ///
     /// # Errors
-    /// As [`wave_response`](Self::wave_response), and a column that is not there.
+    /// As [`wave_response`](Self::wave_response), and a column that does not exist.
     pub fn column_response(
         &self,
         simulation: &Simulation,
@@ -170,7 +174,7 @@ fn chosen(rows: &Rows, names: &[String]) -> Result<Vec<Chosen>, ResponseError> {
     Ok(places.into_iter().map(|place| Chosen { name: all[place].name.clone(), ..all[place] }).collect())
 }
 
-/// Amplitudes of the states, then of the forces of the waves, a column for each direction.
+/// Returns the amplitudes of the states, followed by those of the wave forces; one column for each direction.
 fn moved(
     at: &AtRest,
     loads: &WaveLoads<'_>,
@@ -184,7 +188,8 @@ fn moved(
     Ok(all)
 }
 
-/// Changes of the states and forces by small waves, a quarter of a period apart.
+/// Returns the changes of the states and forces in small test waves, at two times a quarter of a period
+/// apart.
 fn probes(at: &AtRest, loads: &WaveLoads<'_>, frequencies: &[f64]) -> Result<Vec<Vec<f64>>, ResponseError> {
     let mut probes = Vec::new();
     for [beside, share] in PROBED {
@@ -196,14 +201,15 @@ fn probes(at: &AtRest, loads: &WaveLoads<'_>, frequencies: &[f64]) -> Result<Vec
     Ok(probes)
 }
 
-/// Columns that show the waves themselves.
+/// Columns to which the waves contribute directly.
 struct Shown {
-    /// Place in a row, the first force on its element, and what.
+    /// For each: index in a row, index of the first force on its element, and the contribution.
     each: Vec<(usize, Option<usize>, ShownWaves)>,
 }
 
 impl Shown {
-    /// Collects what elements at rest show of the waves; marks columns that are not in proportion to the waves.
+    /// Collects the direct contributions of the waves to outputs of elements at rest; marks columns that are
+    /// not proportional to the waves.
     fn new(elements: &[AnyElement], at: &AtRest, loads: &WaveLoads<'_>, rows: &mut Rows) -> Self {
         let bodies = super::excitation::kinematics(at.rest.model(), &at.rest.state().q);
         let (mut each, mut first) = (Vec::new(), 0);
@@ -220,7 +226,7 @@ impl Shown {
         Self { each }
     }
 
-    /// Adds it to amplitudes, a row for each chosen column, a column for each direction.
+    /// Adds the contributions to amplitudes; one row for each chosen column, one column for each direction.
     fn add(
         &self,
         loads: &WaveLoads<'_>,

@@ -10,24 +10,24 @@ use crate::simulation::Simulation;
 use crate::spatial::{Twist, Vector3, Wrench};
 use nalgebra::{Complex, DMatrix};
 
-/// The wave loads on all elements that waves act on.
+/// Wave loads on all elements on which waves act.
 pub(super) struct WaveLoads<'a> {
     loaded: Vec<Loaded<'a>>,
 }
 
-/// One element, and the response of the free coordinates to its forces.
+/// An element, and the response of the free coordinates to its forces.
 struct Loaded<'a> {
     element: Box<dyn RegularWaves + 'a>,
-    /// Its index among all elements.
+    /// Index of the element among all elements.
     index: usize,
-    /// Its position and heading at rest.
+    /// Position and heading of the element at rest.
     place: WavePlace,
     /// Accelerations of the free coordinates per force: M*^-1 J^T.
     mobility: DMatrix<f64>,
 }
 
 impl<'a> WaveLoads<'a> {
-    /// For a simulation at rest.
+    /// Creates the wave loads for a simulation at rest.
     pub(super) fn new(
         elements: &'a [AnyElement],
         rest: &mut Simulation,
@@ -47,14 +47,15 @@ impl<'a> WaveLoads<'a> {
             let mobility = mobility.rows(0, free.len()).into_owned();
             loaded.push(Loaded { place: element.place(&at_rest), element, index, mobility });
         }
-        // A tank responds at any frequency; the data of a hull say which ones are known.
+        // A tank responds at any frequency; the data of a hull limit the known ones.
         loaded.sort_by_key(|loaded: &Loaded<'_>| loaded.element.frequencies_rad_s().is_empty());
         let known = loaded.first().is_some_and(|first| !first.element.frequencies_rad_s().is_empty());
         if known { Ok(Self { loaded }) } else { Err(ResponseError::NoHull) }
     }
 
-    /// The requested frequencies, or those of the first element's data with three more in each interval, because
-    /// resonances are narrower than the grid of the data; all within the data of all elements.
+    /// Returns the requested frequencies; if none are requested, those of the first element's data with three
+    /// more in each interval, because resonances are narrower than the grid of the data. All must be within
+    /// the data of all elements.
     pub(super) fn frequencies(&self, asked: &[f64]) -> Result<Vec<f64>, ResponseError> {
         let all = if asked.is_empty() { refined(self.loaded[0].element.frequencies_rad_s()) } else { asked.to_vec() };
         for grid in self.loaded.iter().map(|loaded| loaded.element.frequencies_rad_s()) {
@@ -67,17 +68,18 @@ impl<'a> WaveLoads<'a> {
         Ok(all)
     }
 
-    /// The reference point of the phases: the first element's position.
+    /// Returns the reference point of the phases: the first element's position.
     pub(super) fn reference_m(&self) -> [f64; 2] {
         self.loaded[0].place.position
     }
 
-    /// The heading of the first element, rad.
+    /// Returns the heading of the first element, rad.
     pub(super) fn heading_rad(&self) -> f64 {
         self.loaded[0].place.heading
     }
 
-    /// Accelerations of the free coordinates under waves of unit amplitude, a column for each direction.
+    /// Returns the accelerations of the free coordinates in waves of unit amplitude, one column for each
+    /// direction.
     pub(super) fn accelerations(&self, omega: f64, directions: &[f64]) -> DMatrix<Complex<f64>> {
         let of = |loaded: &Loaded<'_>| {
             loaded.mobility.map(|entry| Complex::new(entry, 0.0)) * self.forces_on(loaded, omega, directions)
@@ -86,7 +88,8 @@ impl<'a> WaveLoads<'a> {
         each.reduce(|sum, next| sum + next).unwrap_or_else(|| DMatrix::zeros(0, directions.len()))
     }
 
-    /// All forces of waves of unit amplitude, [`FORCES`] rows for each element, a column for each direction.
+    /// Returns all forces of waves of unit amplitude, [`FORCES`] rows for each element, one column for each
+    /// direction.
     pub(super) fn forces(&self, omega: f64, directions: &[f64]) -> DMatrix<Complex<f64>> {
         let mut all = DMatrix::zeros(FORCES * self.loaded.len(), directions.len());
         for (i, loaded) in self.loaded.iter().enumerate() {
@@ -95,13 +98,13 @@ impl<'a> WaveLoads<'a> {
         all
     }
 
-    /// Returns the first of these rows that belongs to an element, given by its index among all; `None` where waves do
-    /// not act on it.
+    /// Returns the first row of an element, given by its index among all elements; `None` if waves do not act
+    /// on it.
     pub(super) fn first_force_on(&self, element: usize) -> Option<usize> {
         Some(FORCES * self.loaded.iter().position(|loaded| loaded.index == element)?)
     }
 
-    /// The elevation at a place, world, m, of waves that are 1 at the reference point.
+    /// Returns the elevation at a position, world, m, of waves whose elevation at the reference point is 1.
     pub(super) fn elevation(&self, omega: f64, direction: f64, place: [f64; 2]) -> Complex<f64> {
         let k = wave_number(omega, &self.loaded[0].element.water());
         phase(k, direction, [0, 1].map(|axis| place[axis] - self.reference_m()[axis]))
@@ -121,7 +124,7 @@ impl<'a> WaveLoads<'a> {
         force
     }
 
-    /// Returns the forces as elements of a model at rest, with the forces as their inputs.
+    /// Returns elements for a model at rest that apply the wave forces and have them as inputs.
     pub(super) fn as_inputs(&self, rest: &Simulation) -> Vec<WaveForces> {
         let bodies = rest.model().bodies.len();
         let at_rest = kinematics(rest.model(), &rest.state().q);
@@ -147,20 +150,20 @@ impl<'a> WaveLoads<'a> {
     }
 }
 
-/// Returns the factor by which waves of this direction lag or lead at the offset `[x, y]`, m.
+/// Returns the phase factor of waves of this direction at the offset `[x, y]`, m.
 fn phase(k: f64, direction: f64, [x, y]: [f64; 2]) -> Complex<f64> {
     let (sin, cos) = libm::sincos(direction);
     let (sin, cos) = libm::sincos(k * (x * cos + y * sin));
     Complex::new(cos, sin)
 }
 
-/// A grid with three more points in each interval.
+/// Returns a grid with three more points in each interval.
 fn refined(grid: &[f64]) -> Vec<f64> {
     let between = |pair: &[f64]| core::array::from_fn::<f64, 4, _>(|k| pair[0] + 0.25 * k as f64 * (pair[1] - pair[0]));
     grid.windows(2).flat_map(between).chain(grid.last().copied()).collect()
 }
 
-/// M*, bordered by the loops' J.
+/// Returns M*, bordered by the loops' J.
 fn bordered(m_star: &DMatrix<f64>, j: &DMatrix<f64>) -> DMatrix<f64> {
     let (n, constraints) = (m_star.nrows(), j.nrows());
     let mut bordered = DMatrix::zeros(n + constraints, n + constraints);
@@ -170,14 +173,14 @@ fn bordered(m_star: &DMatrix<f64>, j: &DMatrix<f64>) -> DMatrix<f64> {
     bordered
 }
 
-/// The kinematics at rest.
+/// Returns the kinematics at rest.
 pub(super) fn kinematics(model: &Model, q: &[f64]) -> Kinematics {
     let mut at = Kinematics::new(&model.tree);
     at.update(&model.tree, q, &vec![0.0; model.velocity_count]);
     at
 }
 
-/// Twists of all bodies for unit rates of the free coordinates, one after another.
+/// Returns the twists of all bodies for unit rates of the free coordinates, one after another.
 pub(super) fn twists(model: &Model, q: &[f64], free: &[usize]) -> Vec<Vec<Twist>> {
     let mut at = Kinematics::new(&model.tree);
     let by_unit_rate = |&i: &usize| {

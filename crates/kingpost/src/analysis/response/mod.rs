@@ -1,4 +1,4 @@
-//! The response of ship and crane to small regular waves: response amplitude operators.
+//! Response of ship and crane to small regular waves: response amplitude operators.
 
 mod columns;
 mod excitation;
@@ -24,36 +24,37 @@ use output::Outputs;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-/// Regular waves.
+/// Directions and frequencies of regular waves.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 pub struct WaveGrid {
-    /// Directions that they go to, from the world's x counter-clockwise, rad.
+    /// Propagation directions, from the world's x counter-clockwise, rad.
     pub directions_rad: Vec<f64>,
-    /// Angular frequencies, rad/s; empty for those of the first hull's database with three more in each interval.
+    /// Angular frequencies, rad/s; if empty, those of the first hull's database with three more in each
+    /// interval.
     pub frequencies_rad_s: Vec<f64>,
 }
 
-/// Motions of ship and crane per metre of wave amplitude, as complex amplitudes H: under the wave elevation `Re{a e^(-i
-/// w t)}` at the reference point a motion is `Re{a H e^(-i w t)}`, so that the argument of H is its lag behind the
-/// crest there.
+/// Motions of ship and crane per metre of wave amplitude, as complex amplitudes H: for the wave elevation
+/// `Re{a e^(-i w t)}` at the reference point a motion is `Re{a H e^(-i w t)}`, so the argument of H is the
+/// phase lag of the motion behind the wave crest.
 ///
 /// Motions are small, about the equilibrium in still water, with held and prescribed coordinates at their present
 /// values. The reference point is the origin of the first hull's database, on the waterplane.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct WaveResponse {
-    /// Directions that the waves go to, rad.
+    /// Propagation directions of the waves, rad.
     pub directions_rad: Vec<f64>,
     /// Angular frequencies, rad/s.
     pub frequencies_rad_s: Vec<f64>,
     /// Reference point of the phases, world, m.
     pub reference_m: [f64; 2],
-    /// Heading of that hull at rest, from the world's x counter-clockwise, rad.
+    /// Heading of the first hull at rest, from the world's x counter-clockwise, rad.
     pub heading_rad: f64,
-    /// Bodies, at their centres of mass, then named points as `arm.tip`.
+    /// Names of the bodies, for their centres of mass, then of the points, such as `arm.tip`.
     pub places: Vec<String>,
-    /// Their positions at rest, world, m.
+    /// Positions of these at rest, world, m.
     pub places_m: Vec<[f64; 3]>,
-    /// Bodies whose angles are given.
+    /// Bodies whose roll, pitch and yaw are given.
     pub bodies: Vec<String>,
     /// Free coordinates.
     pub coordinates: Vec<String>,
@@ -62,31 +63,31 @@ pub struct WaveResponse {
     /// Real parts of H, by direction, frequency and row. Rows are x, y, z of each place (world, m/m),
     /// roll, pitch, yaw of each body (rad/m), then the local coordinates of the free coordinates.
     pub real: Vec<f64>,
-    /// Imaginary parts, alike.
+    /// Imaginary parts of H, in the same order.
     pub imaginary: Vec<f64>,
-    /// The states themselves: real and imaginary parts by direction, frequency and state.
+    /// Complex amplitudes of the states: real and imaginary parts by direction, frequency and state.
     #[serde(skip)]
     pub of_states: Vec<[f64; 2]>,
     /// Warnings.
     pub warnings: Vec<String>,
 }
 
-/// Why there is no response.
+/// Reason why there is no response.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum ResponseError {
-    /// A scenario that does not build.
+    /// The scenario does not build.
     #[error(transparent)]
     Scenario(#[from] ScenarioError),
     /// There is no equilibrium.
     #[error(transparent)]
     NoEquilibrium(#[from] NoEquilibrium),
-    /// No waves act.
+    /// Waves act on no element.
     #[error("forces: found no hull that waves act on, allowed: a hydrodynamics force with excitation on")]
     NoHull,
-    /// A column that no row of the results has.
+    /// The results have no column with this name.
     #[error("columns: found {0:?}, allowed: columns of the results")]
     Column(String),
-    /// A direction or frequency.
+    /// A direction or frequency is not valid.
     #[error("{quantity}: found {found}, allowed: {allowed}")]
     Wave {
         /// `directions_rad` or `frequencies_rad_s`.
@@ -96,8 +97,8 @@ pub enum ResponseError {
         /// Range that is allowed.
         allowed: String,
     },
-    /// A frequency at which an undamped motion is unbounded.
-    #[error("frequencies_rad_s: found {found}, allowed: one away from the resonances of undamped motions")]
+    /// At this frequency an undamped motion is unbounded.
+    #[error("frequencies_rad_s: found {found}, allowed: a frequency away from the resonances of undamped motions")]
     Resonance {
         /// The frequency, rad/s.
         found: f64,
@@ -105,7 +106,8 @@ pub enum ResponseError {
 }
 
 impl Scenario {
-    /// The response of a simulation of it to regular waves, as [`BuiltScenario::wave_response`].
+    /// Returns the response of a simulation of this scenario to regular waves, like
+    /// [`BuiltScenario::wave_response`].
     ///
     /// # Errors
     /// A scenario that does not build; as [`BuiltScenario::wave_response`].
@@ -115,7 +117,8 @@ impl Scenario {
 }
 
 impl BuiltScenario {
-    /// The response of a simulation of it to regular waves, about its equilibrium in still water.
+    /// Returns the response of a simulation of this scenario to regular waves, about its equilibrium in still
+    /// water.
     ///
     /// With A of the linearised system, whose states hold the memory of radiation, and the wave loads' accelerations b
     /// = M*^-1 J^T X, `(-i w - A) x = b a`: for a hull alone `(-w^2 (M + A(w)) - i w B(w) + C) xi = X a` (Newman,
@@ -170,7 +173,7 @@ impl BuiltScenario {
         })
     }
 
-    /// Its elements, among which are some that waves act on.
+    /// Returns the elements of the scenario; an error if waves act on none of them.
     fn elements_in_waves(&self) -> Result<&[AnyElement], ResponseError> {
         let elements = &self.setup().elements;
         let in_waves = elements.iter().any(|element| element.regular_waves().is_some());
@@ -186,7 +189,7 @@ struct AtRest {
     free: Vec<usize>,
     /// Variable of each state.
     along: Vec<Along>,
-    /// Why nothing stays there, if it does not.
+    /// Instability of the equilibrium, if it is unstable.
     instability: Option<Instability>,
 }
 
@@ -200,7 +203,8 @@ impl AtRest {
         Ok(Self { rest, linear, free, along: linearizer.along().to_vec(), instability })
     }
 
-    /// Amplitudes of the states in waves of 1 m, a column for each direction: `(-i w - A) x = b`.
+    /// Returns the amplitudes of the states in waves of 1 m, one column for each direction: `(-i w - A) x =
+    /// b`.
     fn states(
         &self,
         loads: &WaveLoads<'_>,
@@ -217,7 +221,8 @@ impl AtRest {
     }
 }
 
-/// The solution of a system, which has no unknowns if nothing can move: nalgebra's panics on it.
+/// Returns the solution of a linear system; also of one without unknowns, if no coordinate can move, for
+/// which nalgebra panics.
 fn solved<T: ComplexField>(factors: &LU<T, Dyn, Dyn>, right: DMatrix<T>) -> Option<DMatrix<T>> {
     if right.nrows() == 0 { Some(right) } else { factors.solve(&right) }
 }

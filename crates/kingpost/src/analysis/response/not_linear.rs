@@ -1,17 +1,17 @@
-//! Why a column of the results does not follow small waves in proportion.
+//! Reason why a column of the results is not proportional to small waves.
 
 use serde::Serialize;
 
-/// Why a column does not follow small waves in proportion.
+/// Reason why a column is not proportional to small waves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum NotLinear {
-    /// It has no slope at rest, or another one to either side.
+    /// Its derivative at rest does not exist, or differs between both directions.
     NotSmooth,
-    /// At rest it changes with the square of the motions, or of the waves.
+    /// Near rest it changes with the square of the motions, or of the waves.
     SecondOrder,
-    /// It is an integral over the run, or its time.
+    /// It is an integral over the run, or the time.
     OverTime,
-    /// It is held between the samples of its element.
+    /// It is constant between the samples of its element.
     Sampled,
 }

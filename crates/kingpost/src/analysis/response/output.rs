@@ -8,7 +8,7 @@ use nalgebra::{Complex, DMatrix, DVector};
 /// The rows of a response.
 pub(super) struct Outputs {
     pub(super) places: Vec<String>,
-    /// Their positions at rest, world, m.
+    /// Positions of the bodies and points at rest, world, m.
     pub(super) places_m: Vec<[f64; 3]>,
     pub(super) bodies: Vec<String>,
     /// Jacobian of positions and angles with respect to the free coordinates.
@@ -44,23 +44,23 @@ impl Outputs {
         }
     }
 
-    /// Number of rows.
+    /// Returns the number of rows.
     pub(super) fn rows(&self) -> usize {
         self.jacobian.nrows() + self.jacobian.ncols()
     }
 
-    /// All rows for small motions of the free coordinates.
+    /// Returns all rows for small motions of the free coordinates.
     pub(super) fn of(&self, xi: &DVector<Complex<f64>>) -> Vec<Complex<f64>> {
         let motions = &self.jacobian * xi;
         motions.iter().chain(xi.iter()).copied().collect()
     }
 }
 
-/// Rates of roll, pitch and yaw of `R = Rz Ry Rx` for an angular velocity in body axes; not finite if the body's x axis
-/// is vertical.
+/// Returns the rates of roll, pitch and yaw of `R = Rz Ry Rx` for an angular velocity in body axes; not
+/// finite if the body's x axis is vertical.
 fn euler_rates(rotation: &Matrix3, angular: Vector3) -> [f64; 3] {
     let Matrix3([.., [down, across, up]]) = *rotation;
-    // sin and cos of the roll times cos of the pitch are across and up; sin of the pitch is -down.
+    // `across` and `up` are sin and cos of the roll times cos of the pitch; `-down` is sin of the pitch.
     let cos_squared = across * across + up * up;
     let cos = libm::sqrt(cos_squared);
     let turning = (across * angular[1] + up * angular[2]) / cos_squared;

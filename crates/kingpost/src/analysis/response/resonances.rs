@@ -1,22 +1,23 @@
-//! Where a response may have a narrow peak.
+//! Resonances: frequencies at which a response can have a narrow peak.
 
 use nalgebra::linalg::{Schur, balancing::balance_parlett_reinsch};
 use nalgebra::{Complex, DMatrix};
 use serde::Serialize;
 
-/// A natural frequency with its damping.
+/// A natural frequency and the damping of its mode.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Resonance {
     /// Imaginary part of the eigenvalue, rad/s.
     pub frequency_rad_s: f64,
-    /// Its real part, sign changed, 1/s: half the width of the peak at half its height squared.
+    /// Negative real part of the eigenvalue, 1/s: half the width of the peak at half the square of its
+    /// height.
     pub decay_per_s: f64,
 }
 
-/// Largest number of iterations in the search for eigenvalues; it takes some three for each.
+/// Largest number of iterations in the search for eigenvalues; each eigenvalue takes about three.
 const MOST_ITERATIONS: usize = 20_000;
 
-/// The oscillating eigenvalues of A; none where they are not found.
+/// Returns the oscillating eigenvalues of A; empty if they are not found.
 pub(super) fn resonances(a: &DMatrix<f64>) -> Vec<Resonance> {
     let mut balanced = a.clone();
     balance_parlett_reinsch(&mut balanced);
@@ -29,14 +30,15 @@ pub(super) fn resonances(a: &DMatrix<f64>) -> Vec<Resonance> {
     found
 }
 
-/// The widths of a peak at which it is looked at to either side, each 1.4 times the last.
+/// Distance of the first added frequency from a peak, in widths of the peak; each further distance is longer
+/// by the factor `NEXT_WIDTH`.
 const FIRST_WIDTH: f64 = 0.35;
 const NEXT_WIDTH: f64 = 1.4;
-/// The least width of a peak, as a share of its frequency: one of an undamped motion has none.
+/// Smallest width of a peak, as a share of its frequency: the peak of an undamped motion has zero width.
 const LEAST_WIDTH: f64 = 1e-5;
 
-/// A grid of frequencies with more of them about each resonance that is narrower than its steps: so close that what lies
-/// between two is a curve that they show.
+/// Returns a grid of frequencies with more points about each resonance that is narrower than the grid's
+/// steps, so close that they resolve the peak.
 pub(super) fn resolved(grid: &[f64], resonances: &[Resonance]) -> Vec<f64> {
     let (Some(lowest), Some(highest)) = (grid.first(), grid.last()) else { return Vec::new() };
     let mut all = grid.to_vec();
@@ -55,7 +57,7 @@ pub(super) fn resolved(grid: &[f64], resonances: &[Resonance]) -> Vec<f64> {
     }
     all.retain(|omega| (*lowest..=*highest).contains(omega));
     all.sort_by(f64::total_cmp);
-    // Relative: the eigenvalues of a pair of modes agree to some nine digits.
+    // Relative tolerance: the eigenvalues of a pair of modes agree to about nine digits.
     all.dedup_by(|next, last| *next - *last <= 1e-9 * *next);
     all
 }

@@ -1,4 +1,5 @@
-//! Rows of results about rest: their values, and their derivatives by the states and by the forces of waves.
+//! Rows of results about rest: their values, and their derivatives with respect to the states and the wave
+//! forces.
 
 use super::AtRest;
 use super::excitation::WaveLoads;
@@ -13,24 +14,25 @@ use crate::scenario::{BuiltScenario, ScenarioError};
 use crate::world::World;
 use nalgebra::DMatrix;
 
-/// All columns of a row, by what moves them.
+/// All columns of a row at rest, with their derivatives.
 pub(super) struct Rows {
     tangent: Tangent,
     channels: Channels,
     /// Variable of each state, then of each force.
     along: Vec<Along>,
-    /// The place of rest. d has the forces behind the inputs.
+    /// Time and interval at rest; d contains the inputs, followed by the forces.
     time: (f64, crate::integrate::Interval),
     q: Vec<f64>,
     v: Vec<f64>,
     s: Vec<f64>,
     d: Vec<f64>,
     m: Vec<i64>,
-    /// The columns at rest.
+    /// Values of the columns at rest.
     pub(super) mean: Vec<f64>,
-    /// Derivative of each column by each state, then by each force; not finite where there is none.
+    /// Derivatives of each column with respect to each state, then to each force; not finite if they do not
+    /// exist.
     pub(super) derivatives: DMatrix<f64>,
-    /// Reason for each column that does not follow small waves in proportion.
+    /// Reason for each column that is not proportional to small waves.
     pub(super) not_linear: Vec<Option<NotLinear>>,
 }
 
@@ -42,7 +44,7 @@ impl Rows {
         let forces = loads.as_inputs(&at.rest);
         let count = FORCES * forces.len();
         elements.extend(forces.into_iter().map(|forces| Box::new(forces) as AnyElement<Number>));
-        // Whatever looks at the waves sees still water.
+        // Elements that use the waves are evaluated in still water.
         let world = World { waves: None, ..setup.world };
         let mut tangent = Tangent::new(Plant::new(setup.model, world, elements));
         tangent.set_evaluation_mode(crate::elements::EvaluationMode::AtRest);
@@ -70,17 +72,17 @@ impl Rows {
         Ok(rows)
     }
 
-    /// The columns.
+    /// Returns the channels.
     pub(super) fn channels(&self) -> &Channels {
         &self.channels
     }
 
-    /// Where everything stands that the elements declare; the forces of waves are the last of them.
+    /// Returns the indices of everything that the elements declare; the wave forces are the last elements.
     pub(super) fn layout(&self) -> &crate::elements::Layout {
         self.tangent.plant().layout()
     }
 
-    /// A row with states and forces changed by these, in the order of the derivatives.
+    /// Returns a row with these changes of states and forces, in the order of the derivatives.
     pub(super) fn changed_by(&mut self, changes: &[f64]) -> Vec<f64> {
         let (mut xi, mut v, mut s, mut d) = (vec![0.0; self.v.len()], self.v.clone(), self.s.clone(), self.d.clone());
         for (along, change) in self.along.iter().zip(changes) {
@@ -122,7 +124,7 @@ impl Rows {
         self.derivatives = derivatives.columns(0, self.along.len()).into_owned();
     }
 
-    /// Time, and what is held between two samples.
+    /// Marks the time, and the columns that are constant between two samples.
     fn mark_what_no_state_moves(&mut self) {
         self.not_linear[0] = Some(NotLinear::OverTime);
         for signal in self.tangent.plant().layout().signals() {
@@ -133,7 +135,8 @@ impl Rows {
     }
 }
 
-/// A row at a stage whose q is moved by `xi`, with derivatives along at most [`DIRECTIONS`] directions.
+/// Returns a row at a stage whose q is moved by `xi`, with derivatives along at most [`DIRECTIONS`]
+/// directions.
 fn row(tangent: &mut Tangent, channels: &Channels, at: Stage<'_>, xi: &[f64], along: &[Along]) -> Vec<Number> {
     tangent.observe(at.q, xi, at, along, |at, observed| {
         let mut row = Vec::with_capacity(channels.columns());

@@ -1,26 +1,27 @@
-//! Finds the columns that follow small motions in proportion.
+//! Finds the columns that are proportional to small motions.
 
 use super::not_linear::NotLinear;
 use super::rows::Rows;
 use crate::results::Channel;
 use nalgebra::DVector;
 
-/// Derivatives below this share of the value are rounding.
+/// Largest derivative that counts as rounding, as a share of the value.
 const NO_SLOPE: f64 = 1e-11;
-/// Changes below this share of the value are rounding.
+/// Largest change that counts as rounding, as a share of the value.
 const ROUNDING: f64 = 1e-10;
-/// Changes below this share of the largest value beside it are rounding: of a joint that carries nothing, say.
+/// Largest change that counts as rounding, as a share of the largest value of the same channel: for example
+/// of the load in an unloaded joint.
 const ROUNDING_BESIDE: f64 = 1e-13;
-/// Changes below this are rounding, whatever the unit.
+/// Largest change that counts as rounding, whatever the unit.
 const LEAST: f64 = 1e-13;
-/// Share of the derivative below which a deviation from it is ignored.
+/// Largest deviation from the derivative that is ignored, as a share of the derivative.
 const BESIDE: f64 = 0.1;
-/// Where a motion is halved, a change of second order falls to a quarter and one of first order to a half: the border
-/// between them.
+/// Ratio of the changes at half and at whole motion that separates the first order, 1/2, from the second
+/// order, 1/4.
 const BETWEEN: f64 = 0.35;
 
-/// Marks the columns that do not follow in proportion. Rows at rest are compared with those where states and forces are
-/// changed by each of the probes and against it, whole and by half.
+/// Marks the columns that are not proportional to small motions. Rows at rest are compared with rows in which
+/// states and forces are changed by each of the probes, in both directions, by the whole and by half.
 pub(super) fn mark(rows: &mut Rows, probes: &[Vec<f64>]) {
     let flat: Vec<bool> = (0..rows.mean.len()).map(|column| is_flat(rows, column)).collect();
     let rounding = rounding(rows);
@@ -46,7 +47,7 @@ pub(super) fn mark(rows: &mut Rows, probes: &[Vec<f64>]) {
     }
 }
 
-/// Changes of each column that are rounding.
+/// Returns the largest change of each column that counts as rounding.
 fn rounding(rows: &Rows) -> Vec<f64> {
     let of_channel = |channel: &Channel| {
         let values = &rows.mean[channel.offset..][..channel.len];
@@ -57,7 +58,7 @@ fn rounding(rows: &Rows) -> Vec<f64> {
     rows.channels().list.iter().flat_map(of_channel).collect()
 }
 
-/// Returns the part that changes its sign with the motion, and the size of the part that does not.
+/// Returns the part of a change that is odd in the motion, and the size of the even part.
 fn parts(more: f64, less: f64, rest: f64) -> [f64; 2] {
     [0.5 * (more - less), (0.5 * (more + less) - rest).abs()]
 }
@@ -72,7 +73,7 @@ fn without_numbers(rows: &Rows, column: usize) -> Option<NotLinear> {
     (!has_numbers).then_some(NotLinear::NotSmooth)
 }
 
-/// Classifies a column without a slope: it stays, or moves in the second order, or its slope is not known.
+/// Classifies a column without a slope: constant, of second order, or not smooth.
 fn of_flat([odd, even]: [f64; 2], [odd_half, even_half]: [f64; 2], rounding: f64) -> Option<NotLinear> {
     let (whole, half) = (odd.abs().max(even), odd_half.abs().max(even_half));
     match () {
@@ -82,7 +83,8 @@ fn of_flat([odd, even]: [f64; 2], [odd_half, even_half]: [f64; 2], rounding: f64
     }
 }
 
-/// Classifies a column with a slope: whether it has another one to either side, or all over.
+/// Classifies a column with a slope: not smooth if the slope differs between both directions, or differs from
+/// the derivative in both.
 fn of_sloped(
     [odd, even]: [f64; 2],
     [odd_half, even_half]: [f64; 2],

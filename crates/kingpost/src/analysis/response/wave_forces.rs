@@ -1,4 +1,4 @@
-//! The forces of regular waves on an element, as inputs of the model.
+//! Forces of regular waves on an element, as inputs of the model.
 
 use crate::dynamics::Loads;
 use crate::elements::{Context, Declaration, Element, Input};
@@ -8,15 +8,16 @@ use crate::spatial::{Vector3, Wrench};
 /// Number of wave forces of an element; unused ones are zero.
 pub(super) const FORCES: usize = 6;
 
-/// Forces on bodies as inputs: the rows of results are differentiated with respect to them.
+/// Forces on bodies as inputs, so that the rows of results can be differentiated with respect to them.
 #[derive(Clone, Debug)]
 pub(super) struct WaveForces {
-    /// For each body on which they act, the wrench of each unit force, in body axes about the centre of mass.
+    /// For each body on which forces act, the wrench of each unit force, in body axes about the centre of
+    /// mass.
     on: Vec<(usize, [Wrench; FORCES])>,
 }
 
 impl WaveForces {
-    /// By the wrenches on all bodies.
+    /// Creates the forces from their wrenches on all bodies.
     pub(super) fn new(on: impl Iterator<Item = (usize, [Wrench; FORCES])>) -> Self {
         let acts = |(_, wrenches): &(usize, [Wrench; FORCES])| wrenches.iter().any(|wrench| *wrench != Wrench::zero());
         Self { on: on.filter(acts).collect() }

@@ -1,4 +1,4 @@
-//! Up to four copies that step in lanes while they are at the same time.
+//! Up to four copies that are stepped in lanes while their times are equal.
 
 use super::{Asked, Member, NewCopy, Status, fits_lanes};
 use crate::plant::{Form, ObservedPart};
@@ -8,14 +8,15 @@ use crate::scenario::side_by_side;
 use crate::simulation::{InputError, Limit, RunError, Simulation};
 use crate::state::State;
 
-/// The numbers of a group's copies, one copy after another.
+/// Numbers of a group's copies, one copy after another.
 pub(super) struct Slots<'a> {
     pub inputs: &'a [f64],
     pub columns: &'a mut [f64],
     pub status: &'a mut [Status],
 }
 
-/// The copies of a group. The state of a copy is in its lane while `in_lanes` says so, else in its own simulation.
+/// Copies of a group. The state of a copy is in its lane while `in_lanes` is true, otherwise in its own
+/// simulation.
 #[derive(Debug)]
 pub(super) struct Group {
     members: Vec<Member>,
@@ -23,10 +24,10 @@ pub(super) struct Group {
     in_lanes: Vec<bool>,
     failed: Vec<Option<RunError>>,
     lanes: SharedLanes,
-    /// The inputs' places in d, and for each copy their bounds.
+    /// Indices of the inputs in d, and for each copy the bounds of its inputs.
     inputs: Vec<usize>,
     bounds: Vec<Vec<[f64; 2]>>,
-    /// The columns that are asked for, the time and those of the limits.
+    /// Requested columns, then the time and the columns of the limits.
     columns: Vec<String>,
     asked: usize,
     keeps_ledger: bool,
@@ -50,14 +51,14 @@ struct Together {
     read: Vec<Lanes>,
 }
 
-/// Whether columns are asked for that need the ledger, or all forces, which come with it.
+/// Returns whether requested columns need the ledger, or all forces, which are computed only with the ledger.
 pub(super) fn needs_ledger(first: &NewCopy, asked: &Asked) -> bool {
     let watched = first.member.setup.limits.iter().filter(|_| asked.limits).map(|limit| limit.column.clone());
     let columns: Vec<String> = asked.columns.iter().cloned().chain(watched).collect();
     *first.simulation.readings(&columns).extent() == ObservedPart::Everything
 }
 
-/// The simulation of a copy at its start.
+/// Returns the simulation of a copy at its start.
 pub(super) fn simulation(member: &Member, keeps_ledger: bool) -> Simulation {
     let settings = &member.setup.settings;
     if settings.form == Form::Recursive && !settings.scheme.is_implicit() {
@@ -124,7 +125,7 @@ impl Group {
         }
     }
 
-    /// The first input of a copy that is not within its bounds.
+    /// Returns the first input of a copy that is outside its bounds.
     pub(super) fn wrong_input(&self, k: usize, values: &[f64]) -> Option<InputError> {
         let mut pairs = values.iter().zip(&self.bounds[k]).enumerate();
         let (i, (found, [lower, upper])) =
@@ -145,13 +146,13 @@ impl Group {
         (self.in_lanes[k], self.failed[k]) = (false, None);
     }
 
-    /// The state of a copy.
+    /// Returns the state of a copy.
     pub(super) fn state(&mut self, k: usize) -> &State {
         self.take_from_lane(k);
         self.alone[k].state()
     }
 
-    /// Brings the simulation of a copy to its lane's state, if it is in one.
+    /// Copies the state of a copy from its lane, if it is in one, to its own simulation.
     fn take_from_lane(&mut self, k: usize) {
         if let SharedLanes::Built(together) = &self.lanes
             && self.in_lanes[k]
@@ -160,7 +161,7 @@ impl Group {
         }
     }
 
-    /// Puts all copies in a state.
+    /// Sets the state of all copies.
     pub(super) fn resume(&mut self, state: &State) {
         for (alone, failed) in self.alone.iter_mut().zip(&mut self.failed) {
             alone.take_state(state);
@@ -189,8 +190,8 @@ impl Group {
         self.read(slots.columns, slots.status);
     }
 
-    /// Steps the copies that are in lanes. If one of them fails or has an event, all leave the lanes at the last step
-    /// that all took; returns the number of steps that are left for them then.
+    /// Steps the copies that are in lanes. If one of them fails or has an event, all leave the lanes at the
+    /// last step that all have completed; returns the number of remaining steps.
     fn step_lanes(&mut self, steps: usize, inputs: &[f64]) -> usize {
         let SharedLanes::Built(together) = &mut self.lanes else { return 0 };
         let Some(first) = self.in_lanes.iter().position(|&it| it) else { return 0 };
@@ -214,7 +215,7 @@ impl Group {
         self.in_lanes.fill(false);
     }
 
-    /// Lets copies that are at the same time, with the same modes, share lanes.
+    /// Puts copies with equal time and equal modes into lanes.
     fn join(&mut self) {
         let waits = |group: &Self, k: usize| !group.in_lanes[k] && group.failed[k].is_none();
         let count = self.alone.len();
@@ -241,12 +242,12 @@ impl Group {
         for k in 0..count {
             self.in_lanes[k] = self.failed[k].is_none() && self.alone[k].is_level_with(&self.alone[leader]);
         }
-        // Padding, and the lane of a copy at another time, follow a copy in the lanes.
+        // Empty lanes, and the lane of a copy at another time, repeat a copy that is in the lanes.
         let source = |lane: usize| if self.in_lanes[lane.min(count - 1)] { lane.min(count - 1) } else { leader };
         together.simulation.fill_lanes(core::array::from_fn(|lane| &self.alone[source(lane)]));
     }
 
-    /// A copy that shares its time with as many others as possible; `None` if each is alone.
+    /// Returns a copy whose time equals that of as many others as possible; `None` if all times differ.
     fn leader(&self) -> Option<usize> {
         let count = self.alone.len();
         let level = |k: usize| {
@@ -299,7 +300,7 @@ impl Group {
         }
     }
 
-    /// A copy whose columns are not finite has failed.
+    /// Marks a copy as failed if its columns are not finite.
     fn check_read(&mut self, k: usize) {
         let Some(bad) = self.read.iter().position(|value| !value.is_finite()) else { return };
         let (time_s, column) = (self.time_s(k), self.columns[bad].clone());

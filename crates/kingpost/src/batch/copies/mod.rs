@@ -1,8 +1,8 @@
 //! Copies of one scenario that a controller steps together: the engine of a vectorised environment.
 //!
-//! Each copy has its own numbers (sea, load, delay, seed), its own inputs and its own time. Four neighbours step in
-//! lanes as long as they are at the same time, and groups of four on threads. Every copy gives the same bits as a
-//! simulation alone that gets the same inputs.
+//! Each copy has separate numbers (sea, load, delay, seed), inputs and time. Four neighbouring copies are
+//! stepped in lanes while their times are equal, and groups of four on threads. The result of every copy is
+//! bitwise identical to that of a single simulation with the same inputs.
 
 mod group;
 
@@ -17,24 +17,24 @@ use group::{Group, Slots};
 use rayon::prelude::*;
 use thiserror::Error;
 
-/// The inputs and columns of the copies, by their names.
+/// Names of the inputs and columns of the copies.
 #[derive(Clone, Debug, Default)]
 pub struct Asked {
-    /// The inputs that [`VectorEnsemble::advance`] gets for each copy, in this order.
+    /// Inputs of each copy that [`VectorEnsemble::advance`] sets, in this order.
     pub inputs: Vec<String>,
-    /// The columns that it writes for each copy, in this order.
+    /// Columns of each copy that [`VectorEnsemble::advance`] writes, in this order.
     pub columns: Vec<String>,
-    /// Whether the scenario's limits are watched.
+    /// Whether the scenario's limits are checked.
     pub limits: bool,
 }
 
-/// Why copies were not made, restarted or advanced. Nothing has changed then.
+/// Reason why copies were not made, restarted or advanced. Nothing changes then.
 #[derive(Clone, Debug, Error)]
 pub enum CopyError {
-    /// A copy that cannot be built, or a machine without threads.
+    /// A copy cannot be built, or threads cannot be started.
     #[error(transparent)]
     Batch(#[from] BatchError),
-    /// An input of a copy.
+    /// An input of a copy is not valid.
     #[error("copy {copy}: {error}")]
     Input {
         /// Index of the copy, from 0.
@@ -42,19 +42,19 @@ pub enum CopyError {
         /// Error of the input.
         error: InputError,
     },
-    /// A name that is no column.
+    /// No column has this name.
     #[error("column {found}: no such column of results, allowed: those of the scenario's channels")]
     Column {
-        /// The name.
+        /// The name that was given.
         found: String,
     },
-    /// A copy that has failed was marked, or none was before the others took its state.
+    /// The copy to be marked has failed, or a state is to be resumed although none was marked.
     #[error("mark: found {found}, allowed: a copy that has not failed")]
     Mark {
-        /// Mark that was found.
+        /// The copy's failure, or the missing mark.
         found: String,
     },
-    /// An array of the wrong length, or an index beyond the last copy.
+    /// An array has the wrong length, or an index is beyond the last copy.
     #[error("{what}: found {found}, allowed: {allowed}")]
     Count {
         /// Quantity that was counted.
@@ -66,14 +66,14 @@ pub enum CopyError {
     },
 }
 
-/// How a copy stands after it was advanced.
+/// Status of a copy after it was advanced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
-    /// It can go on.
+    /// It can continue.
     Running,
     /// It has failed: see [`VectorEnsemble::failure`]. It stays at its last good step until it is restarted.
     Failed,
-    /// It is beyond the limit of this index; it can go on.
+    /// It is beyond the limit with this index; it can continue.
     BeyondLimit(usize),
 }
 
@@ -102,10 +102,10 @@ pub struct VectorEnsemble {
     mark: Option<State>,
 }
 
-/// A group, and where its columns and status go.
+/// A group, and the arrays for its columns and status.
 type Work<'a> = (&'a mut Group, (&'a mut [f64], &'a mut [Status]));
 
-/// The text that copies are built from.
+/// Source from which copies are built.
 #[derive(Debug)]
 struct CopySource {
     text: String,
@@ -121,7 +121,8 @@ struct NewCopy {
 }
 
 impl VectorEnsemble {
-    /// One copy for each variant, at its start. `threads` 0 takes as many as the machine has.
+    /// Creates one copy for each variant, at its start. If `threads` is 0, it uses all threads of the
+    /// machine.
     ///
     /// # Errors
     /// A variant that is not a valid scenario, or has other columns or inputs than the first; a name that does not exist.
@@ -150,35 +151,36 @@ impl VectorEnsemble {
         Ok(Self { source, asked, pool, groups, count, mark: None })
     }
 
-    /// Number of copies.
+    /// Returns the number of copies.
     pub fn count(&self) -> usize {
         self.count
     }
 
-    /// The copy's time, s.
+    /// Returns the copy's time, s.
     ///
     /// # Panics
-    /// If there is no such copy.
+    /// If the copy does not exist.
     pub fn time_s(&self, copy: usize) -> f64 {
         self.groups[copy / LANES].time_s(copy % LANES)
     }
 
-    /// Why a copy has failed; `None` while it has not.
+    /// Returns the error of a copy that has failed, otherwise `None`.
     ///
     /// # Panics
-    /// If there is no such copy.
+    /// If the copy does not exist.
     pub fn failure(&self, copy: usize) -> Option<&RunError> {
         self.groups[copy / LANES].failure(copy % LANES)
     }
 
-    /// The limits that are watched, as they are in the first copy.
+    /// Returns the limits that are checked, with the bounds of the first copy.
     pub fn limits(&self) -> &[Limit] {
         self.groups[0].limits()
     }
 
-    /// Sets the inputs of every copy and takes this number of steps; then writes the columns and the status of every
-    /// copy. `inputs` and `columns` hold one copy after another, each in the order of [`Asked`]. With 0 steps it reads
-    /// only, and the inputs may be left out. It allocates nothing, unless a copy was restarted, or has an event.
+    /// Sets the inputs of every copy and takes this number of steps; then writes the columns and the status
+    /// of every copy. `inputs` and `columns` hold one copy after another, each in the order of [`Asked`].
+    /// With 0 steps it only reads, and the inputs can be omitted. It allocates nothing unless a copy was
+    /// restarted or has an event.
     ///
     /// # Errors
     /// Arrays of other lengths; an input beyond its bounds, or NaN.
@@ -216,7 +218,8 @@ impl VectorEnsemble {
         Ok(())
     }
 
-    /// Puts these copies back to their start; one with a variant is built anew from it, as [`VectorEnsemble::new`] does.
+    /// Returns these copies to their start; a copy with a variant is first rebuilt from it, like in
+    /// [`VectorEnsemble::new`].
     ///
     /// # Errors
     /// Those of [`VectorEnsemble::new`]; no copy has changed then.
@@ -238,10 +241,10 @@ impl VectorEnsemble {
         Ok(())
     }
 
-    /// Remembers the state of a copy, from which [`VectorEnsemble::resume`] lets all go on.
+    /// Stores the state of a copy, from which [`VectorEnsemble::resume`] lets all copies continue.
     ///
     /// # Errors
-    /// No such copy, or one that has failed.
+    /// The copy does not exist, or has failed.
     pub fn mark(&mut self, copy: usize) -> Result<(), CopyError> {
         self.check_copy(copy)?;
         if self.failure(copy).is_some() {
@@ -255,8 +258,9 @@ impl VectorEnsemble {
         Ok(())
     }
 
-    /// Puts all copies in the state that was marked last, its time and inputs included. Each keeps its own numbers: in
-    /// another sea it meets other waves from there on. They go on to the same bits as the copy that was marked.
+    /// Sets all copies to the state that was marked last, with its time and inputs. The numbers of each copy
+    /// do not change: a copy with another sea meets other waves from then on. A copy with the same numbers as
+    /// the marked copy continues bitwise identically.
     ///
     /// # Errors
     /// No copy was marked before.
@@ -296,7 +300,7 @@ impl CopySource {
         Ok(NewCopy { member, simulation })
     }
 
-    /// Builds copies, all with the columns and inputs of another one.
+    /// Builds copies, all with the columns and inputs of another copy.
     fn build_all(
         &self,
         pool: Option<&rayon::ThreadPool>,
@@ -325,7 +329,7 @@ fn check_count(what: &'static str, found: usize, right: bool, allowed: &str) -> 
     if right { Ok(()) } else { Err(CopyError::Count { what, found, allowed: allowed.to_owned() }) }
 }
 
-/// An error unless all names exist, and no wire sets an input.
+/// Returns an error unless all names exist and no wire sets an input.
 fn check_names(simulation: &Simulation, asked: &Asked) -> Result<(), CopyError> {
     let mut trial = simulation.clone();
     for name in &asked.inputs {

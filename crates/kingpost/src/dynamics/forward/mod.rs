@@ -1,13 +1,13 @@
 //! Forward dynamics by recursion: accelerations from loads.
 //!
-//! The articulated-body algorithm (Featherstone, *Rigid Body Dynamics Algorithms*, 2008, ch. 7)
-//! with prescribed joints (ch. 9), over the fused links, in the axes of each branch's root. It
-//! solves M* q'' + N* q' = F* (eq. 61) without forming the matrices, and allocates nothing.
+//! The articulated-body algorithm (Featherstone, *Rigid Body Dynamics Algorithms*, 2008, ch. 7) with
+//! prescribed joints (ch. 9), over the links, in the axes of each branch's root. It solves M* q'' + N* q' =
+//! F* (eq. 61) without forming the matrices, and allocates nothing.
 //!
-//! The velocity part of every link's acceleration, its bias acceleration, is known from the [`LinkKinematics`]. Its force
-//! (N* q') is added to the loads, and the recursion treats the rest: `a = bias + fall + response`, with the response
-//! linear in q''. Under gravity all links share the acceleration of free fall: relative to it no link has
-//! weight.
+//! The velocity part of every link's acceleration, its bias acceleration, is known from the
+//! [`LinkKinematics`]. Its force (N* q') is added to the loads, and the recursion computes the rest: `a =
+//! bias + fall + response`, with the response linear in q''. Under gravity all links have the acceleration of
+//! free fall in common: relative to it, links have no weight.
 
 mod articulated;
 mod response;
@@ -30,39 +30,39 @@ pub struct Workspace<S = f64> {
     fall: Vec<Vector3<S>>,
     /// Whether there is gravity.
     has_fall: bool,
-    /// The root of each link's branch.
+    /// Root of each link's branch.
     roots: Vec<usize>,
 }
 
 impl<S: Scalar> Workspace<S> {
-    /// Room for a model.
+    /// Allocates the memory for a model.
     pub fn new(model: &Model<S>) -> Self {
         let n = model.plan.len();
         let (links, fall) = (vec![Articulated::default(); n], vec![Vector3::zero(); n]);
         Self { links, fall, has_fall: false, roots: model.roots.clone() }
     }
 
-    /// Articulated inertia of a link with its subtree, root axes.
+    /// Returns the articulated inertia of a link with its subtree, root axes.
     pub fn articulated_inertia(&self, links: &LinkKinematics<S>, link: usize) -> SpatialInertia<S> {
         self.links[link].inertia(&links.moving()[link])
     }
 
-    /// Spatial acceleration of a link, root axes.
+    /// Returns the spatial acceleration of a link, root axes.
     #[inline]
     pub fn acceleration(&self, links: &LinkKinematics<S>, link: usize) -> Twist<S> {
         let fall = Twist { angular: Vector3::zero(), linear: self.fall[self.roots[link]] };
         links.moving()[link].spatial_bias_acceleration() + fall + self.links[link].response
     }
 
-    /// The wrench that the joint transmits to a link, about the root's origin, root axes.
+    /// Returns the wrench that the joint transmits to a link, about the root's origin, root axes.
     pub fn joint_wrench(&self, links: &LinkKinematics<S>, link: usize) -> Wrench<S> {
         let Articulated { response, bias, .. } = &self.links[link];
         self.articulated_inertia(links, link).times(response) + *bias
     }
 }
 
-/// Computes the acceleration of every coordinate of v; held ones get zero, prescribed ones the acceleration in `loads`.
-/// `links` must be the kinematics of the present velocities.
+/// Computes the acceleration of every coordinate of v; it is zero for held ones, and that in `loads` for
+/// prescribed ones. `links` must be the kinematics for the present velocities.
 pub fn forward_dynamics<S: Scalar>(
     model: &Model<S>,
     links: &LinkKinematics<S>,
@@ -75,7 +75,7 @@ pub fn forward_dynamics<S: Scalar>(
     acceleration_pass(model, links, loads, work, v_dot);
 }
 
-/// Inertia and bias force of each link, with the loads on it from outside.
+/// Computes inertia and bias force of each link, with the external loads on it.
 #[inline]
 fn link_inertias_and_loads<S: Scalar>(
     model: &Model<S>,
@@ -109,8 +109,9 @@ fn link_inertias_and_loads<S: Scalar>(
     }
 }
 
-/// Transforms the field g into each root's axes. A link whose inertia I is not that of its mass m, because part of it
-/// is added mass, would fall with the force `I g`: the difference from its weight is added to its bias.
+/// Transforms the acceleration of free fall g to the axes of each root. A link whose inertia I contains added
+/// mass in addition to its mass m would fall with the force `I g`: the difference from its weight is added to
+/// its bias.
 #[inline]
 fn fall_freely<S: Scalar>(
     model: &Model<S>,
@@ -137,8 +138,8 @@ fn fall_freely<S: Scalar>(
     }
 }
 
-/// Articulated inertias and bias forces, from the ends of the branches to their roots (Featherstone, *Rigid Body Dynamics
-/// Algorithms*, 2008, sec. 7.3, second pass).
+/// Computes articulated inertias and bias forces, from the ends of the branches to their roots (Featherstone,
+/// *Rigid Body Dynamics Algorithms*, 2008, sec. 7.3, second pass).
 #[inline]
 fn articulated_inertia_pass<S: Scalar>(
     model: &Model<S>,
@@ -174,7 +175,7 @@ fn articulated_inertia_pass<S: Scalar>(
     }
 }
 
-/// Accelerations, from the roots outward (Featherstone, sec. 7.3, third pass).
+/// Computes accelerations, from the roots outward (Featherstone, sec. 7.3, third pass).
 #[inline]
 fn acceleration_pass<S: Scalar>(
     model: &Model<S>,
@@ -215,7 +216,7 @@ fn acceleration_pass<S: Scalar>(
     }
 }
 
-/// The acceleration of a joint that is not free.
+/// Returns the acceleration of a joint that is not free.
 #[inline]
 fn given_acceleration<S: Scalar>(plan: &Link<S>, loads: &Loads<S>) -> S {
     if plan.mode == MotionType::Prescribed { loads.acceleration[plan.velocities] } else { S::ZERO }

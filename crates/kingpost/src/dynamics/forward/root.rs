@@ -1,17 +1,18 @@
-//! A floating link, whose frame is that of its branch.
+//! Floating link, whose frame is that of its branch.
 
 use crate::model::joint::Floating;
 use crate::scalar::Scalar;
 use crate::spatial::{Matrix3, SpatialInertia, Twist, Vector3, Wrench};
 
-/// The force along its coordinates in root axes; `force` begins at its own.
+/// Returns the force along the link's coordinates in root axes; `force` starts at these coordinates.
 #[inline]
 pub(super) fn force<S: Scalar>(force: &[S], rotation: &Matrix3<S>) -> Wrench<S> {
     let force = &force[..6];
     Wrench { moment: Vector3::from_slice(&force[3..]), force: rotation.transpose_times(Vector3::from_slice(force)) }
 }
 
-/// Its acceleration beyond that of free fall, `fall`, under a wrench: six equations, or the three that are not held.
+/// Returns the link's acceleration in addition to that of free fall, `fall`, under a wrench: six equations,
+/// or three if the others are held.
 #[inline]
 pub(super) fn accelerate<S: Scalar>(
     floating: Floating,
@@ -31,7 +32,7 @@ pub(super) fn accelerate<S: Scalar>(
     }
 }
 
-/// Writes the accelerations of its coordinates, of which those of the translation are in the world's axes.
+/// Writes the accelerations of the link's coordinates; those of the translation are in world axes.
 #[inline]
 pub(super) fn write<S: Scalar>(acceleration: &Twist<S>, fall: Vector3<S>, rotation: &Matrix3<S>, out: &mut [S]) {
     let out = &mut out[..6];

@@ -1,33 +1,34 @@
-//! J M*^-1 J^T, factored by Cholesky in the order of the constraints.
+//! Cholesky factorisation of J M*^-1 J^T, in the order of the constraints.
 //!
 //! The order is fixed and not chosen by the magnitude of the pivots, so a vanishing pivot identifies the first
 //! constraint that depends on those before it.
 
 use crate::scalar::Scalar;
 
-/// A pivot below this share of its reference is too small to divide by: the constraint has become dependent on the
-/// others, as within 1e-5 rad of a dead centre.
+/// Smallest pivot that is used, as a ratio to its reference: below it the constraint has become dependent on
+/// the others, for example within 1e-5 rad of a dead centre.
 pub const SMALLEST_PIVOT: f64 = 1e-10;
 
-/// A constraint whose row of J is shorter than this share of its wrench moves nothing.
+/// Smallest length of a row of J, as a share of its wrench: with a shorter row, no coordinate affects the
+/// constraint.
 const SMALLEST_MOTION: f64 = 1e-9;
 
 /// The matrix with its Cholesky factor, by rows.
 #[derive(Clone, Debug)]
 pub struct CholeskyFactor<S = f64> {
     count: usize,
-    /// The matrix, of which the lower triangle is read; overwritten by its factor L.
+    /// Matrix, whose lower triangle is read; its factor L replaces it.
     matrix: Vec<S>,
-    /// One over the diagonal of L, zero where the pivot is too small.
+    /// Reciprocal of the diagonal of L; zero if the pivot is too small.
     reciprocal: Vec<S>,
-    /// The reference of each pivot.
+    /// Reference of each pivot.
     reference: Vec<S>,
-    /// Pivots over their references.
+    /// Pivots divided by their references.
     pivots: Vec<S>,
 }
 
 impl<S: Scalar> CholeskyFactor<S> {
-    /// Memory for this number of constraints.
+    /// Allocates the memory for this number of constraints.
     pub fn new(count: usize) -> Self {
         let many = |value| vec![value; count];
         Self {
@@ -39,7 +40,7 @@ impl<S: Scalar> CholeskyFactor<S> {
         }
     }
 
-    /// Begins with this number of constraints, at most that of the memory.
+    /// Starts with this number of constraints, at most that of the memory.
     pub fn begin(&mut self, count: usize) {
         self.count = count;
     }
@@ -50,15 +51,15 @@ impl<S: Scalar> CholeskyFactor<S> {
         self.matrix[row * self.count + column] = value;
     }
 
-    /// Sets the present diagonal as the reference of a constraint's pivots; infinity if the constraint `moves` nothing,
-    /// because its diagonal is then rounding.
+    /// Sets the present diagonal as the reference of a constraint's pivots; infinity unless the constraint
+    /// `moves` something, because its diagonal is then a rounding error.
     pub fn take_reference(&mut self, row: usize, moves: S) {
         let own = self.matrix[row * self.count + row];
         self.reference[row] = moves.select_below(SMALLEST_MOTION, || S::constant(f64::INFINITY), || own);
     }
 
-    /// Factors the matrix in place. A constraint whose pivot is too small is left out: it carries no load, and its
-    /// pivot shows it.
+    /// Factors the matrix in place. A constraint whose pivot is too small is omitted: its load is zero, and
+    /// its pivot shows this.
     pub fn factor(&mut self) {
         let n = self.count;
         for i in 0..n {
@@ -71,7 +72,7 @@ impl<S: Scalar> CholeskyFactor<S> {
                 }
                 let limit = S::constant(SMALLEST_PIVOT) * self.reference[i];
                 self.pivots[i] = sum / self.reference[i];
-                // Written so that NaN is left out as well.
+                // The comparison is written so that NaN is also omitted.
                 let root = limit.select_less(sum, || sum.sqrt(), || S::ZERO);
                 self.reciprocal[i] = limit.select_less(sum, || S::ONE / root, || S::ZERO);
                 self.matrix[i * n + i] = root;
@@ -92,19 +93,19 @@ impl<S: Scalar> CholeskyFactor<S> {
         }
     }
 
-    /// Pivots over their references.
+    /// Returns the pivots divided by their references.
     pub fn pivots(&self) -> &[S] {
         &self.pivots[..self.count]
     }
 
-    /// The first constraint whose pivot is too small, in any lane.
+    /// Returns the first constraint whose pivot is too small, in any lane.
     pub fn dependent(&self) -> Option<usize> {
         self.pivots().iter().position(|pivot| !pivot.all(|pivot| pivot > SMALLEST_PIVOT))
     }
 
-    /// The constraints before `row` on which it depends.
+    /// Returns the constraints before `row` on which it depends.
     pub fn depends_on(&self, row: usize) -> Vec<usize> {
-        // The row of L holds L^T c, with c the shares of the rows before.
+        // The row of L is L^T c, where c are the shares of the rows before it.
         let (n, mut share) = (self.count, vec![0.0; row]);
         let entry = |row: usize, column: usize| self.matrix[row * n + column].value();
         for i in (0..row).rev() {
@@ -113,7 +114,7 @@ impl<S: Scalar> CholeskyFactor<S> {
         }
         let reference = |i: usize| self.reference[i].value();
         let size = |i: usize| libm::sqrt(share[i] * share[i] * reference(i) / reference(row));
-        // Shares relative to the row: a part below 1e-6 of it does not make it dependent.
+        // Shares are relative to the row: a share below 1e-6 does not count as a dependence.
         (0..row).filter(|&i| size(i) > 1e-6).collect()
     }
 }
@@ -142,8 +143,9 @@ mod tests {
     }
 
     #[test]
-    fn a_dependent_row_is_named_with_those_that_make_it_and_carries_nothing() {
-        // Rows J = (1, 0), (1, 1e-3), (0, 2): the third is 2000 times the second less the first.
+    fn a_dependent_row_is_named_with_the_rows_it_depends_on_and_carries_no_load() {
+        // Rows J = (1, 0), (1, 1e-3), (0, 2): the third is 2000 times the difference of the second and the
+        // first.
         let rows = [[1.0, 1.0, 0.0], [1.0, 1.0 + 1e-6, 2e-3], [0.0, 2e-3, 4.0]];
         let factor = factor(&rows);
         assert_eq!(factor.dependent(), Some(2));

@@ -35,14 +35,14 @@ use column::ConstraintColumn;
 pub struct LoopSolver<S = f64> {
     /// Constraints of the loops.
     rows: Vec<Row<S>>,
-    /// Memory for all constraints; those of the loops and of the active restraints come first.
+    /// Memory for all constraints: first those of the loops, then those of the active restraints.
     columns: Vec<ConstraintColumn<S>>,
     /// Number of active constraints.
     count: usize,
     factor: CholeskyFactor<S>,
     response: Response<S>,
     multipliers: Vec<S>,
-    /// The lowest pivots of a step: of accepted evaluations, and of those on trial.
+    /// Lowest pivots of a step: of accepted evaluations, and of evaluations on trial.
     lowest: [Vec<S>; 2],
     begins: bool,
     /// Positions before a correction.
@@ -53,7 +53,7 @@ pub struct LoopSolver<S = f64> {
 }
 
 impl<S: Scalar> LoopSolver<S> {
-    /// Memory for a model and this number of restraints.
+    /// Allocates the memory for a model and this number of restraints.
     pub fn new(model: &Model<S>, restraints: usize) -> Self {
         let count = model.constraint_count() + restraints;
         Self {
@@ -91,28 +91,28 @@ impl<S: Scalar> LoopSolver<S> {
         }
     }
 
-    /// The active constraints.
+    /// Returns the active constraints.
     fn acting(&self) -> &[ConstraintColumn<S>] {
         &self.columns[..self.count]
     }
 
-    /// Every constraint of the loops at its last evaluation.
+    /// Returns every constraint of the loops at its last evaluation.
     pub fn rows(&self) -> &[Row<S>] {
         &self.rows
     }
 
-    /// The multipliers of the last accelerations: forces, N, and moments, N m, that the constraints put on the second
-    /// bodies; followed by those of the active restraints.
+    /// Returns the multipliers of the last accelerations: forces, N, and moments, N m, of the constraints on
+    /// the second bodies; followed by those of the active restraints.
     pub fn multipliers(&self) -> &[S] {
         &self.multipliers[..self.count]
     }
 
-    /// The multipliers of the active restraints.
+    /// Returns the multipliers of the active restraints.
     pub fn of_restraints(&self) -> &[S] {
         self.multipliers().get(self.rows.len()..).unwrap_or_default()
     }
 
-    /// Takes the multipliers from another form of the equations.
+    /// Copies the multipliers from another form of the equations.
     pub fn take_over(
         &mut self,
         model: &Model<S>,
@@ -124,19 +124,19 @@ impl<S: Scalar> LoopSolver<S> {
         self.multipliers.iter_mut().zip(multipliers).for_each(|(own, given)| *own = given);
     }
 
-    /// Takes the diagonal of the next J M*^-1 J^T as the reference of pivots: that of the setup, the same for every
-    /// state of a run.
+    /// Sets the diagonal of the next J M*^-1 J^T as the reference of pivots: at the setup, so that it is equal
+    /// for every state of a run.
     pub fn begin(&mut self) {
         self.begins = true;
         self.forget_pivots();
     }
 
-    /// Forgets the lowest pivots: called at the start of each step.
+    /// Resets the lowest pivots; called at the start of each step.
     pub fn forget_pivots(&mut self) {
         self.lowest.iter_mut().for_each(|lowest| lowest.fill(S::constant(f64::INFINITY)));
     }
 
-    /// Accepts the evaluations since the last call, or since that of [`reject`](Self::reject).
+    /// Accepts the evaluations since the last call of this function or of [`reject`](Self::reject).
     pub fn accept(&mut self) {
         let [kept, trial] = &mut self.lowest;
         for (kept, trial) in kept.iter_mut().zip(trial) {
@@ -145,18 +145,19 @@ impl<S: Scalar> LoopSolver<S> {
         }
     }
 
-    /// Rejects the evaluations since then: they were a trial.
+    /// Rejects the evaluations since the last call of [`accept`](Self::accept) or of this function: they were
+    /// a trial.
     pub fn reject(&mut self) {
         self.lowest[1].fill(S::constant(f64::INFINITY));
     }
 
-    /// The factor of J M*^-1 J^T.
+    /// Returns the factor of J M*^-1 J^T.
     pub fn factor(&self) -> &CholeskyFactor<S> {
         &self.factor
     }
 
-    /// Corrects the accelerations of the open tree, as [`forward_dynamics`](super::forward) left
-    /// them, so that the loops stay closed.
+    /// Corrects the accelerations of the open tree, from [`forward_dynamics`](super::forward), so that the
+    /// loops stay closed.
     pub fn accelerate(
         &mut self,
         model: &Model<S>,
@@ -192,7 +193,7 @@ impl<S: Scalar> LoopSolver<S> {
                 self.factor.take_reference(k, row.motion(model, links));
             }
         }
-        // A restraint is temporary, so its reference is taken when it acts.
+        // A restraint is temporary, so its reference is set when it becomes active.
         (self.rows.len()..self.count).for_each(|k| self.factor.take_reference(k, S::ONE));
         self.factor.factor();
         for (lowest, pivot) in self.lowest[1].iter_mut().zip(self.factor.pivots()) {
@@ -200,7 +201,7 @@ impl<S: Scalar> LoopSolver<S> {
         }
     }
 
-    /// From the right-hand side in `multipliers`: the multipliers, and the response to them.
+    /// Computes the multipliers from the right-hand side in `multipliers`, and the response to them.
     fn respond(&mut self, model: &Model<S>, links: &LinkKinematics<S>, work: &Workspace<S>) {
         self.factor.solve(&mut self.multipliers[..self.count]);
         self.response.clear();
@@ -210,7 +211,8 @@ impl<S: Scalar> LoopSolver<S> {
         self.response.update(model, links, work);
     }
 
-    /// Adds the forces of loops and restraints to the loads: they do no work, but affect joint loads and momentum.
+    /// Adds the forces of loops and restraints to the loads: they do no work, but contribute to joint loads
+    /// and momentum.
     pub fn apply(&self, model: &Model<S>, links: &LinkKinematics<S>, loads: &mut Loads<S>) {
         let constraints = model.loops.iter().flat_map(|closed| closed.constraints.iter().map(move |_| closed));
         for ((closed, row), lambda) in constraints.zip(&self.rows).zip(&self.multipliers) {

@@ -1,10 +1,9 @@
 //! Projection to phi = 0 and phi' = 0 by the smallest change of q and v in the norm of M*.
 //!
-//! A correction of the positions is one step of Newton's method with the M*-weighted inverse of J,
-//! `xi = -M*^-1 J^T (J M*^-1 J^T)^-1 phi`, retracted on the group; one of the velocities is
-//! `-M*^-1 J^T (J M*^-1 J^T)^-1 J v`, which ends in one step. (Gear, Leimkuhler & Gupta 1985; Hairer &
-//! Wanner, *Solving Ordinary Differential Equations II*, 1996, sec. VII.2.) Coordinates that are
-//! held or prescribed do not move.
+//! A correction of the positions is one step of Newton's method with the M*-weighted inverse of J, `xi = -M*^-1
+//! J^T (J M*^-1 J^T)^-1 phi`, retracted on the group; a correction of the velocities is `-M*^-1 J^T (J M*^-1
+//! J^T)^-1 J v`, and one step is enough. (Gear, Leimkuhler & Gupta 1985; Hairer & Wanner, *Solving Ordinary
+//! Differential Equations II*, 1996, sec. VII.2.) Coordinates that are held or prescribed do not move.
 
 use super::column::ConstraintColumn;
 use super::{LoopSolver, SMALLEST_PIVOT};
@@ -13,51 +12,51 @@ use crate::dynamics::{LinkKinematics, Loads, UnilateralConstraint};
 use crate::model::Model;
 use crate::scalar::Scalar;
 
-/// Corrections end if no constraint has a larger error, m or rad.
+/// Largest error of a constraint, m or rad, at which corrections end.
 const WANTED_GAP: f64 = 1e-12;
 
-/// A loop with a larger constraint error is open, m or rad: rounding can reach this if the bodies are far from the
-/// origin.
+/// Largest error of a constraint in a closed loop, m or rad: rounding errors can reach it if the bodies are
+/// far from the origin.
 pub const LARGEST_GAP: f64 = 1e-10;
 
-/// Largest number of corrections of a step. Newton's method doubles the digits.
+/// Largest number of corrections of a step. Newton's method doubles the number of correct digits.
 const MOST_IN_A_STEP: usize = 8;
 
-/// Largest number of corrections of an assembly, and the longest of each along any coordinate, m or rad.
+/// Largest number of corrections of an assembly, and largest correction along any coordinate, m or rad.
 const MOST_IN_AN_ASSEMBLY: usize = 100;
 const LONGEST_CORRECTION: f64 = 0.3;
 
-/// Why a loop cannot be kept closed. Constraints are counted over all loops.
+/// Reason why a loop cannot be kept closed. Constraints are counted over all loops.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LoopFault {
-    /// A constraint has come to depend on those before it, or to move nothing: a dead centre.
+    /// A constraint has become dependent on those before it, or no coordinate affects it: a dead centre.
     Singular {
         /// The constraint.
         constraint: usize,
-        /// Its pivot over that at the start; allowed is more than [`SMALLEST_PIVOT`].
+        /// Ratio of its pivot to that at the start; it must be more than [`SMALLEST_PIVOT`].
         pivot: f64,
     },
     /// Newton's method cannot satisfy a constraint: it is out of reach.
     Open {
         /// The constraint.
         constraint: usize,
-        /// Its error, m or rad; allowed is less than [`LARGEST_GAP`].
+        /// Error of the constraint, m or rad; it must be less than [`LARGEST_GAP`].
         gap: f64,
     },
 }
 
-/// No gap is below it.
+/// A limit below every gap: no lane counts as closed.
 const NEVER: f64 = 0.0;
 
-/// The data of a projection.
+/// Data of a projection.
 pub struct Projection<'a, S> {
     /// The model.
     pub model: &'a Model<S>,
-    /// Its kinematics; afterwards that of the corrected state.
+    /// Kinematics of the model; afterwards that of the corrected state.
     pub links: &'a mut LinkKinematics<S>,
     /// Working memory of the recursion.
     pub work: &'a mut Workspace<S>,
-    /// Loads, for their added inertia, and for the restraints that act.
+    /// Loads, for their added inertia and their active restraints.
     pub loads: &'a mut Loads<S>,
     /// Evaluates the loads at positions and velocities.
     pub hold: &'a mut Hold<'a, S>,
@@ -67,19 +66,19 @@ pub struct Projection<'a, S> {
 pub type Hold<'a, S> = dyn FnMut(&LinkKinematics<S>, &[S], &[S], &mut [UnilateralConstraint<S>]) + 'a;
 
 impl<S: Scalar> LoopSolver<S> {
-    /// Takes the diagonal of J M*^-1 J^T at this state as the reference of pivots.
+    /// Sets the diagonal of J M*^-1 J^T at this state as the reference of pivots.
     pub fn begin_at(&mut self, on: &mut Projection<'_, S>, q: &[S], v: &[S]) {
         self.look(on, q, v);
         self.begin();
         self.factor_anew(on);
     }
 
-    /// After a step: closes the loops and removes their opening velocity.
+    /// Closes the loops after a step, and removes their opening velocity.
     ///
     /// # Errors
-    /// The first constraint that came too close to depending on the others, at the end of the step or where it was
-    /// evaluated since [`forget_pivots`](Self::forget_pivots), rejected trials left out; else one that Newton's method
-    /// does not close. In lanes, that of any lane.
+    /// The first constraint that came too close to depending on the others, at the end of the step or where
+    /// it was evaluated since [`forget_pivots`](Self::forget_pivots), without rejected trials; otherwise one
+    /// that Newton's method does not close. With lanes, in any lane.
     pub fn close(&mut self, on: &mut Projection<'_, S>, q: &mut [S], v: &mut [S]) -> Result<(), LoopFault> {
         self.look(on, q, v);
         for _ in 0..MOST_IN_A_STEP {
@@ -93,7 +92,7 @@ impl<S: Scalar> LoopSolver<S> {
         self.fault().map_or(Ok(()), Err)
     }
 
-    /// A NaN gap comes from a diverging run, not from the loop.
+    /// A NaN gap is caused by a diverging run, not by the loop.
     fn fault(&self) -> Option<LoopFault> {
         let weak = |(constraint, pivot): (usize, &S)| {
             let singular = LoopFault::Singular { constraint, pivot: pivot.value() };
@@ -107,9 +106,10 @@ impl<S: Scalar> LoopSolver<S> {
         weak.or_else(|| self.acting().iter().enumerate().find_map(open))
     }
 
-    /// At the start: closes the loops from where they stand, however far they are open, and takes the diagonal of J
-    /// M*^-1 J^T there as the reference of pivots. The last correction moves nothing, but gives the derivatives of a
-    /// dual number. Returns whether the loops are closed, in every lane.
+    /// Closes the loops at the start from their present state, however large their gaps, and sets the
+    /// diagonal of J M*^-1 J^T there as the reference of pivots. The last correction does not change the
+    /// values, but gives the derivatives of a dual number. Returns whether the loops are closed in every
+    /// lane.
     pub fn assemble(&mut self, on: &mut Projection<'_, S>, q: &mut [S], v: &mut [S]) -> bool {
         self.look(on, q, v);
         for _ in 0..MOST_IN_AN_ASSEMBLY {
@@ -133,18 +133,19 @@ impl<S: Scalar> LoopSolver<S> {
         self.update_columns(on.model, on.links, &on.loads.restraints);
     }
 
-    /// Largest absolute phi, m or rad.
+    /// Returns the largest absolute phi, m or rad.
     fn gap(&self) -> S {
         self.acting().iter().fold(S::ZERO, |largest, column| larger(largest, column.residual))
     }
 
-    /// Factors J M*^-1 J^T here, with newly computed articulated inertias.
+    /// Factors J M*^-1 J^T at the present state, with newly computed articulated inertias.
     fn factor_anew(&mut self, on: &mut Projection<'_, S>) {
         forward_dynamics(on.model, on.links, on.loads, on.work, &mut self.v_dot);
         self.factor_here(on.model, on.links, on.work);
     }
 
-    /// One correction of the positions. A lane whose gap is below `closed` is not changed, whatever the others need.
+    /// Corrects the positions once. A lane whose gap is below `closed` is not changed, even if other lanes
+    /// are.
     fn correct_positions(&mut self, on: &mut Projection<'_, S>, q: &mut [S], v: &[S], closed: f64) {
         self.factor_anew(on);
         for (right, column) in self.multipliers.iter_mut().zip(&self.columns[..self.count]) {
@@ -164,7 +165,7 @@ impl<S: Scalar> LoopSolver<S> {
         self.look(on, q, v);
     }
 
-    /// One correction of positions that are closed: it gives the derivatives of a dual number.
+    /// Corrects positions of closed loops once, to give the derivatives of a dual number.
     pub fn follow(&mut self, on: &mut Projection<'_, S>, q: &mut [S], v: &[S]) {
         self.look(on, q, v);
         self.correct_positions(on, q, v, NEVER);
@@ -178,7 +179,7 @@ impl<S: Scalar> LoopSolver<S> {
         self.of_restraints()
     }
 
-    /// The correction of the velocities: linear, so that one is enough.
+    /// Corrects the velocities: the equations are linear, so one correction is enough.
     fn correct_velocities(&mut self, on: &mut Projection<'_, S>, v: &mut [S]) {
         self.factor_anew(on);
         for (right, column) in self.multipliers.iter_mut().zip(&self.columns[..self.count]) {
@@ -191,7 +192,7 @@ impl<S: Scalar> LoopSolver<S> {
     }
 }
 
-/// The larger of a number and the absolute value of another; NaN stays NaN.
+/// Returns the larger of a number and the absolute value of another; NaN stays NaN.
 fn larger<S: Scalar>(largest: S, other: S) -> S {
     let size = other.select_below(0.0, || -other, || other);
     size.select_less(largest, || largest, || size)

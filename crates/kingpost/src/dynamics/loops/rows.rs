@@ -1,8 +1,8 @@
-//! Every constraint at the present positions: phi, its row of J as a wrench, and J' v.
+//! Constraints at the present positions: phi, the row of J as a wrench, and J' v.
 //!
-//! By Newton's third law a constraint carries one wrench W, on the second body, and -W on the first. The row of J is
-//! that wrench: `phi' = W . (V_second - V_first)` with both twists about one point in the same axes. Differentiated
-//! once more, with W fixed in A except for the rate `W_rel'` due to the motion of B in A,
+//! By Newton's third law a constraint exerts a wrench W on the second body, and -W on the first. The row of J
+//! is that wrench: `phi' = W . (V_second - V_first)` with both twists about one point in the same axes.
+//! Differentiated once more, with W fixed in A except for the rate `W_rel'` due to the motion of B in A,
 //!
 //! ```text
 //! phi'' = W . (V_second' - V_first') - W . (V_first x V_rel) + W_rel' . V_rel
@@ -19,11 +19,11 @@ use crate::spatial::{Frame, Twist, Vector3, Wrench};
 /// One constraint at the present positions.
 #[derive(Clone, Copy, Debug)]
 pub struct Row<S = f64> {
-    /// phi, m or rad (of an angle, its sine).
+    /// phi, m or rad (for an angle, its sine).
     pub residual: S,
     /// phi', m/s or rad/s.
     pub rate: S,
-    /// J' v: phi'' with zero accelerations of the coordinates, m/s^2 or rad/s^2.
+    /// J' v: phi'' for zero accelerations of the coordinates, m/s^2 or rad/s^2.
     pub bias_acceleration: S,
     /// W, about the first attachment in its axes.
     pub wrench: Wrench<S>,
@@ -31,7 +31,7 @@ pub struct Row<S = f64> {
     pub on_first: Wrench<S>,
     /// W in the axes of the second link's root, about the root's origin.
     pub on_second: Wrench<S>,
-    /// From the first attachment to the second, axes of the first, m.
+    /// Vector from the first attachment to the second, axes of the first, m.
     pub way: Vector3<S>,
     /// The link of the first attachment; `None` for the world.
     pub first: Option<usize>,
@@ -40,7 +40,7 @@ pub struct Row<S = f64> {
 }
 
 impl<S: Scalar> Row<S> {
-    /// The row of one constraint between two attachments.
+    /// Returns the row of a constraint between two attachments.
     pub fn new(
         model: &Model<S>,
         links: &LinkKinematics<S>,
@@ -51,13 +51,13 @@ impl<S: Scalar> Row<S> {
         Pair::new(model, links, first, second).row(constraint)
     }
 
-    /// W about the second attachment, in the axes of the first.
+    /// Returns W about the second attachment, in the axes of the first.
     pub fn at_second(&self) -> Wrench<S> {
         Wrench { moment: self.wrench.moment - self.way.cross(self.wrench.force), ..self.wrench }
     }
 
-    /// Length of the row of J over the free coordinates, relative to that of its wrench: zero if no coordinate moves
-    /// one body relative to the other.
+    /// Returns the length of the row of J over the free coordinates, relative to that of its wrench: zero if
+    /// no coordinate moves one body relative to the other.
     pub fn motion(&self, model: &Model<S>, links: &LinkKinematics<S>) -> S {
         let size = |wrench: &Wrench<S>| wrench.force.norm_squared() + wrench.moment.norm_squared();
         let mut squares = S::ZERO;
@@ -88,7 +88,7 @@ impl<S: Scalar> Row<S> {
     }
 }
 
-/// Whether a link is an ancestor of another, itself included.
+/// Returns whether a link is an ancestor of another link, or the same link.
 fn is_on_the_way<S>(model: &Model<S>, link: usize, from: usize) -> bool {
     let mut next = Some(from);
     while let Some(at) = next.filter(|at| *at >= link) {
@@ -109,23 +109,23 @@ pub fn update<S: Scalar>(model: &Model<S>, links: &LinkKinematics<S>, rows: &mut
     }
 }
 
-/// Two attachments in the axes of the first, A.
+/// Two attachments in the axes of the first one, A.
 struct Pair<S> {
     first: Option<usize>,
     second: Option<usize>,
-    /// A in the axes of the first body's root, or in the world.
+    /// Frame of A in the axes of the first body's root, or in the world.
     first_in_own_root: Frame<S>,
-    /// A in the axes of the second body's root, or in the world.
+    /// Frame of A in the axes of the second body's root, or in the world.
     first_in_other_root: Frame<S>,
-    /// B in A.
+    /// Frame of B in A.
     second_in_first: Frame<S>,
     /// Twist of the first body about A, in A's axes.
     twist_first: Twist<S>,
-    /// Twist of the second body less that of the first, the same.
+    /// Twist of the second body minus that of the first, about A in A's axes.
     relative: Twist<S>,
 }
 
-/// The root of the branch of an attachment, and the attachment in its frame.
+/// Returns the root of an attachment's branch, and the attachment in this root's frame.
 fn seen_from_root<S: Scalar>(
     model: &Model<S>,
     links: &LinkKinematics<S>,
@@ -137,8 +137,8 @@ fn seen_from_root<S: Scalar>(
     }
 }
 
-/// The frame `from` in the frame `to`, both given in the world. The positions are subtracted first, because two ships
-/// may be close together and far from the origin.
+/// Returns the frame `from` in the frame `to`, both given in the world. The positions are subtracted first,
+/// because two ships can be close together and far from the origin.
 fn between<S: Scalar>(to: &Frame<S>, from: &Frame<S>) -> Frame<S> {
     let turned = to.rotation.transpose();
     Frame { rotation: turned * from.rotation, position: turned * (from.position - to.position) }
@@ -189,20 +189,21 @@ impl<S: Scalar> Pair<S> {
         }
     }
 
-    /// d and its rate, in A's axes.
+    /// Returns d and its rate, in A's axes.
     fn way(&self) -> (Vector3<S>, Vector3<S>) {
         let d = self.second_in_first.position;
         (d, self.relative.linear + self.relative.angular.cross(d))
     }
 
-    /// phi, W and the rate of W in A, of `d_i = 0`: a force along A's axis, through B.
+    /// Returns phi, W and the rate of W in A, of `d_i = 0`: a force along A's axis, through B.
     fn offset(&self, axis: usize) -> (S, Wrench<S>, Wrench<S>) {
         let ((d, d_dot), e) = (self.way(), unit(axis));
         let wrench = Wrench { moment: d.cross(e), force: e };
         (d[axis], wrench, Wrench { moment: d_dot.cross(e), force: Vector3::zero() })
     }
 
-    /// Returns phi, W and the rate of W in A, of `abs(d) = l`: a force along d. If d vanishes, it has no direction.
+    /// Returns phi, W and the rate of W in A, of `abs(d) = l`: a force along d. If d is zero, the force has
+    /// no direction.
     fn distance(&self, length: S) -> (S, Wrench<S>, Wrench<S>) {
         let (d, d_dot) = self.way();
         let now = d.norm();
@@ -223,7 +224,7 @@ impl<S: Scalar> Pair<S> {
     }
 }
 
-/// A rod shorter than this has no direction, m.
+/// Smallest length of a rod that has a direction, m.
 const SHORTEST: f64 = 1e-9;
 
 fn unit<S: Scalar>(axis: usize) -> Vector3<S> {

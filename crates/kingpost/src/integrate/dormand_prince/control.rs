@@ -4,28 +4,29 @@ use super::{Interval, STAGES, Stages, StepError};
 use crate::integrate::largest;
 use crate::scalar::Scalar;
 
-/// Tolerances of the error of a step, and the largest step.
+/// Tolerances for the error of a step, and the largest step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerances {
     /// Absolute error of every coordinate, rad or m, and of every rate, rad/s or m/s.
     pub absolute: f64,
-    /// Added to it: error relative to the coordinate's motion in the step, and to the rate.
+    /// Relative error, added to the absolute one: relative to the motion of a coordinate in the step, and to
+    /// a rate.
     pub relative: f64,
     /// Largest step, s.
     pub largest_step_s: f64,
 }
 
-/// Weights of order 5 less those of order 4 (table II.5.2).
+/// Weights of order 5 minus those of order 4 (table II.5.2).
 const ERROR: [f64; STAGES] =
     [71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339_200.0, 22.0 / 525.0, -1.0 / 40.0];
 
-/// The smallest step, as a share of the step between two output states.
+/// Smallest step, as a share of the step between two output states.
 const LEAST: f64 = 1e-5;
 
-/// A step is this much shorter than its error would allow.
+/// Ratio of a step to the step that its error would allow.
 const SAFETY: f64 = 0.9;
 
-/// A step changes by at most these factors.
+/// Smallest and largest ratio of a step to the one before.
 const SHRINK: f64 = 0.2;
 const GROWTH: f64 = 5.0;
 
@@ -33,7 +34,8 @@ const GROWTH: f64 = 5.0;
 const PROPORTIONAL: f64 = 0.04;
 const INTEGRAL: f64 = 0.2 - 0.75 * PROPORTIONAL;
 
-/// Smaller errors count as this, so that one step with a small error by chance does not set the next.
+/// Smallest error for the controller, so that one step with a small error by chance does not determine the
+/// next step.
 const SMALLEST_ERROR: f64 = 1e-4;
 
 /// Gustafsson's controller: `h (0.9 / e^0.17) e_before^0.04` after a step whose error is e times the allowed one
@@ -43,9 +45,9 @@ const SMALLEST_ERROR: f64 = 1e-4;
 pub(super) struct Controller {
     pub(super) tolerances: Tolerances,
     first_s: f64,
-    /// The proposed next step, s; zero before the first.
+    /// Proposed next step, s; zero before the first step.
     wanted_s: f64,
-    /// Error of the last step.
+    /// Error of the step before.
     before: f64,
     rejected: bool,
 }
@@ -55,7 +57,7 @@ impl Controller {
         Self { tolerances, first_s, wanted_s: 0.0, before: 0.0, rejected: false }
     }
 
-    /// Its memory from step to step.
+    /// Returns the memory of the controller from step to step.
     pub(super) fn memory(&self) -> (f64, f64) {
         (self.wanted_s, self.before)
     }
@@ -68,7 +70,8 @@ impl Controller {
         LEAST * self.first_s
     }
 
-    /// The step to try: to the edge if it is near, half way if it is not far.
+    /// Returns the interval of the step to try: up to the edge if it is near, half of the way if it is not
+    /// far.
     pub(super) fn interval(&self, start_s: f64, edge_s: f64) -> Interval {
         let wanted_s = if self.wanted_s > 0.0 { self.wanted_s } else { self.first_s };
         let (wanted_s, left_s) = (wanted_s.min(self.tolerances.largest_step_s), edge_s - start_s);
@@ -82,7 +85,8 @@ impl Controller {
         Interval { start_s, end_s }
     }
 
-    /// Whether a step with this error is accepted; sets the length of the next. A step whose error is NaN is rejected.
+    /// Returns whether a step with this error is accepted, and sets the length of the next step. A step whose
+    /// error is NaN is rejected.
     pub(super) fn accepts(&mut self, step: Interval, error: f64) -> Result<bool, StepError> {
         let h = step.end_s - step.start_s;
         let least_s = self.least_s();
@@ -92,7 +96,7 @@ impl Controller {
             let factor = SAFETY * libm::pow(before, PROPORTIONAL) / libm::pow(error, INTEGRAL);
             let most = if self.rejected { 1.0 } else { GROWTH };
             let next_s = h * factor.clamp(SHRINK, most);
-            // A step that was cut short at an edge is no reason against a longer one.
+            // A step that was shortened to an edge does not limit the next one.
             let whole = h >= self.wanted_s || self.wanted_s == 0.0;
             self.wanted_s = if whole { next_s } else { next_s.max(self.wanted_s) }.max(least_s);
             (self.before, self.rejected) = (error, false);
@@ -107,8 +111,8 @@ impl Controller {
     }
 }
 
-/// The largest error of a coordinate or a rate over its tolerance, over all lanes; NaN if an entry is NaN. `v` holds
-/// the rates at the start, the stages stand at the end.
+/// Returns the largest ratio of a coordinate's or a rate's error to its tolerance, over all lanes; NaN if an
+/// entry is NaN. `v` contains the rates at the start; the stages are at the end.
 pub(super) fn error<S: Scalar>(stages: &Stages<S>, tolerances: Tolerances, h: f64, v: &[S]) -> f64 {
     let size = |x: S| x.select_below(0.0, || -x, || x);
     let larger = |a: S, b: S| a.select_less(b, || b, || a);

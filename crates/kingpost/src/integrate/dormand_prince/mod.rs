@@ -1,4 +1,4 @@
-//! Dormand and Prince's pair of order 5 and 4, with error control and dense output.
+//! Dormand-Prince pair of orders 5 and 4, with error control and dense output.
 
 mod control;
 
@@ -10,9 +10,9 @@ use control::{Controller, error};
 
 pub use control::Tolerances;
 
-/// The pair's scheme of order 5 (Dormand & Prince 1980; Hairer, Norsett & Wanner, *Solving Ordinary Differential
-/// Equations I*, 2nd ed., 1993, table II.5.2). The last stage is at the end of the step: it is the first stage of the
-/// next.
+/// The pair's scheme of order 5 (Dormand & Prince 1980; Hairer, Norsett & Wanner, *Solving Ordinary
+/// Differential Equations I*, 2nd ed., 1993, table II.5.2). The last stage is at the end of the step and is
+/// the first stage of the next step.
 static TABLEAU: Tableau = Tableau {
     a: &[
         &[1.0 / 5.0],
@@ -42,19 +42,20 @@ const DENSE: [f64; STAGES] = [
     69997945.0 / 29380423.0,
 ];
 
-/// Numbers at the head of the memory: start and end of the inner step, s, and the controller's two.
+/// Number of entries at the start of the memory: start and end of the inner step, s, and two of the
+/// controller.
 const HEAD: usize = 4;
 
-/// The scheme takes inner steps as long as its tolerances allow, and gives the state at the end of each interval by
-/// dense output of order 4. An inner step may reach beyond the interval, but never beyond the next edge. It continues
-/// in the next interval if the state was not changed, and restarts if it was: by a lever, or a new state. Loops are
-/// closed at the end of each inner step, and its last stage is then evaluated again. The state's memory holds the inner
-/// step, so a snapshot continues with the same bits. Extra states have the same weights; they do not count in the
-/// error.
+/// Scheme that takes inner steps as long as its tolerances allow, and computes the state at the end of each
+/// interval by dense output of order 4. An inner step may reach beyond the interval, but never beyond the
+/// next edge. It continues in the next interval unless the state was changed, by a lever or from outside;
+/// then the scheme restarts. Loops are closed at the end of each inner step, and its last stage is then
+/// evaluated again. The state's memory contains the inner step, so a run from a snapshot is bitwise
+/// identical. Extra states have the same weights; they are not part of the error.
 #[derive(Clone, Debug)]
 pub struct DormandPrince<S = f64> {
     controller: Controller,
-    /// The last inner step; of length 0 if there is none.
+    /// Last inner step; its length is 0 if there is none.
     inner: Interval,
     q: Vec<S>,
     v: Vec<S>,
@@ -63,7 +64,7 @@ pub struct DormandPrince<S = f64> {
 }
 
 impl<S: Scalar> DormandPrince<S> {
-    /// A scheme for arrays of these sizes; `step_s` is tried first.
+    /// Creates a scheme for arrays of these sizes; `step_s` is tried first.
     pub fn new(sizes: Sizes, tolerances: Tolerances, step_s: f64) -> Self {
         let zeros = |n| vec![S::ZERO; n];
         Self {
@@ -76,7 +77,7 @@ impl<S: Scalar> DormandPrince<S> {
         }
     }
 
-    /// Numbers of the state's memory, with `discrete` discrete numbers and modes.
+    /// Returns the number of entries in the state's memory, with `discrete` discrete numbers and modes.
     pub fn memory_len(&self, discrete: usize) -> usize {
         let (velocities, extras) = (self.v.len(), self.s.len());
         HEAD + self.q.len() + velocities + extras + STAGES * (2 * velocities + extras) + discrete
@@ -99,15 +100,15 @@ impl<S: Scalar> DormandPrince<S> {
         }
         self.hand_out(system, interval.end_s, state);
         if self.inner.end_s == edge_s {
-            // The rates at an edge belong to the law that ends there.
+            // The rates at an edge are those of the law before the edge.
             self.inner.start_s = edge_s;
         }
         self.save(state);
         Ok(())
     }
 
-    /// Moves q, v and s of a state to a time within the inner step that its memory holds, by dense output; returns whether
-    /// there is one.
+    /// Moves q, v and s of a state to a time within the inner step in its memory, by dense output; returns
+    /// whether there is such a step.
     pub fn interpolate<Y: System<S>>(&mut self, system: &Y, time_s: f64, state: &mut State<S>) -> bool {
         self.load(state);
         let Interval { start_s, end_s } = self.inner;
@@ -123,8 +124,8 @@ impl<S: Scalar> DormandPrince<S> {
         self.stages.hand_out(&mut state.q, &mut state.v, &mut state.s);
     }
 
-    /// Whether the state is that of the last inner step. The rates of coordinates that are not free are functions of
-    /// time; a difference by rounding has no effect.
+    /// Returns whether the state is that of the last inner step. The rates of coordinates that are not free
+    /// are functions of time; a difference by rounding does not count.
     fn continues<Y: System<S>>(&mut self, system: &mut Y, time_s: f64, state: &State<S>) -> bool {
         let Interval { start_s, end_s } = self.inner;
         if start_s == end_s || !(start_s..=end_s).contains(&time_s) || !self.same_discrete(state) {
@@ -138,7 +139,7 @@ impl<S: Scalar> DormandPrince<S> {
         same_rates && q[..] == state.q[..] && s[..] == state.s[..]
     }
 
-    /// Whether the discrete numbers and modes are those in the memory.
+    /// Returns whether the discrete numbers and modes equal those in the memory.
     fn same_discrete(&self, state: &State<S>) -> bool {
         let (modes, numbers) = (state.m.len(), state.d.len());
         let (_, held) = state.memory.split_at(state.memory.len() - numbers - modes);
@@ -146,7 +147,7 @@ impl<S: Scalar> DormandPrince<S> {
         held.iter().copied().eq(state.d.iter().copied().chain(of_modes))
     }
 
-    /// An inner step of length 0 at the state, with its first stage.
+    /// Sets an inner step of length 0 at the state, with its first stage.
     fn begin<Y: System<S>>(&mut self, system: &mut Y, interval: Interval, state: &State<S>) {
         self.inner = Interval { start_s: interval.start_s, end_s: interval.start_s };
         self.q.copy_from_slice(&state.q);
@@ -157,7 +158,7 @@ impl<S: Scalar> DormandPrince<S> {
         system.accept();
     }
 
-    /// The next inner step: shortened until its error is within the tolerances.
+    /// Takes the next inner step, shortened until its error is within the tolerances.
     fn inner_step<Y: System<S>>(&mut self, system: &mut Y, edge_s: f64, state: &State<S>) -> Result<(), StepError> {
         self.move_to_end(system, state);
         let Self { controller, inner, q, v, s, stages } = self;
@@ -178,7 +179,7 @@ impl<S: Scalar> DormandPrince<S> {
         }
     }
 
-    /// Makes the end of the last inner step the base of the next, and its last stage the first.
+    /// Makes the end of the last inner step the base of the next step, and its last stage the first one.
     fn move_to_end<Y: System<S>>(&mut self, system: &mut Y, state: &State<S>) {
         if self.inner.start_s == self.inner.end_s {
             return;
@@ -197,7 +198,7 @@ impl<S: Scalar> DormandPrince<S> {
         first[0].parts_mut()[0].copy_from_slice(v);
     }
 
-    /// q, v, s of the stages at a time within the inner step.
+    /// Computes q, v, s of the stages at a time within the inner step.
     fn dense_output<Y: System<S>>(&mut self, system: &Y, time_s: f64) {
         let Self { inner, q, v, s, stages, .. } = self;
         let h = inner.end_s - inner.start_s;
@@ -238,15 +239,15 @@ impl<S: Scalar> DormandPrince<S> {
         modes.iter_mut().zip(&state.m).for_each(|(held, mode)| *held = S::constant(*mode as f64));
     }
 
-    /// The parts of the inner step in the memory: its base and the rates of its stages.
+    /// Returns the parts of the inner step in the memory: its base and the rates of its stages.
     fn parts(&mut self) -> impl Iterator<Item = &mut [S]> {
         let rates = self.stages.rates.iter_mut().map(Triple::all_mut);
         [&mut self.q, &mut self.v, &mut self.s].into_iter().map(Vec::as_mut_slice).chain(rates)
     }
 }
 
-/// Weights of the stages at a part `theta` of the step: the cubic Hermite interpolant and the term
-/// of [`DENSE`].
+/// Returns the weights of the stages at a share `theta` of the step: the cubic Hermite interpolant and the
+/// term of [`DENSE`].
 fn dense_weights(theta: f64) -> [f64; STAGES] {
     let rest = 1.0 - theta;
     let mut weights =

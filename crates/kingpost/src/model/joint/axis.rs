@@ -1,22 +1,22 @@
-//! One elementary axis: joints of several axes are lists of them.
+//! One elementary axis; joints of several axes are lists of such axes.
 
 use super::MotionType;
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Matrix3, Twist, Vector3, hat};
 
-/// Whether an axis rotates or slides.
+/// Motion of an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AxisMotion {
-    /// Its coordinate is an angle, rad.
+    /// Rotation: the coordinate is an angle, rad.
     Rotation,
-    /// Its coordinate is an extension, m.
+    /// Translation: the coordinate is a displacement, m.
     Translation,
 }
 
-/// A rotation about or a translation along a unit vector, in the frame after the axes before it.
+/// A rotation about, or a translation along, a unit vector in the frame after the preceding axes.
 #[derive(Clone, Copy, Debug)]
 pub struct ElementaryAxis<S = f64> {
-    /// Its motion.
+    /// Rotation or translation.
     pub motion: AxisMotion,
     /// Unit vector.
     pub direction: Vector3<S>,
@@ -25,18 +25,18 @@ pub struct ElementaryAxis<S = f64> {
 }
 
 impl<S: Scalar> ElementaryAxis<S> {
-    /// A free rotation about the unit vector `direction`.
+    /// Creates a free rotation about the unit vector `direction`.
     pub fn rotation(direction: Vector3<S>) -> Self {
         Self { motion: AxisMotion::Rotation, direction, mode: MotionType::Free }
     }
 
-    /// A free translation along the unit vector `direction`.
+    /// Creates a free translation along the unit vector `direction`.
     pub fn translation(direction: Vector3<S>) -> Self {
         Self { motion: AxisMotion::Translation, direction, mode: MotionType::Free }
     }
 
-    /// The frame after the axis in the frame before it, at a coordinate in rad or m; a rotation by
-    /// Rodrigues' formula, `R = e e^T + sin(q) hat(e) + cos(q) (I - e e^T)`.
+    /// Returns the frame after the axis relative to the frame before it, at a coordinate in rad or m; a
+    /// rotation by Rodrigues' formula, `R = e e^T + sin(q) hat(e) + cos(q) (I - e e^T)`.
     pub fn frame(&self, q: S) -> Frame<S> {
         let e = self.direction;
         match self.motion {
@@ -49,7 +49,7 @@ impl<S: Scalar> ElementaryAxis<S> {
         }
     }
 
-    /// Twist per unit rate of the frame after the axis, about its origin, in its axes.
+    /// Returns the twist per unit rate of the frame after the axis, about its origin, in its axes.
     pub fn twist(&self) -> Twist<S> {
         match self.motion {
             AxisMotion::Rotation => Twist { angular: self.direction, linear: Vector3::zero() },

@@ -1,4 +1,4 @@
-//! Joints of several axes, one after another.
+//! Joints with several axes in succession.
 
 use super::{AxisMotion, Columns, ElementaryAxis, JointKind, MOST_AXES, MotionType, Prismatic, Revolute};
 use crate::scalar::Scalar;
@@ -6,14 +6,14 @@ use crate::spatial::{Frame, Twist, Vector3};
 
 /// A joint of up to six elementary axes: `E(child/parent) = placement A1(q1) ... An(qn) [I, s_C]`.
 ///
-/// The columns of its motion are the axes' twists carried to the child,
-/// `S_i = Ad((A_{i+1} ... An [I, s_C])^-1) s_i`. Only the last is constant in child axes; the others
-/// turn with the axes after them, `S_i' = -(sum_{j>i} S_j q_j') x S_i`.
+/// The columns of its motion are the twists of the axes, transformed to the child: `S_i = Ad((A_{i+1} ... An
+/// [I, s_C])^-1) s_i`. Only the last column is constant in child axes; each other one rotates with the axes
+/// after it, `S_i' = -(sum_{j>i} S_j q_j') x S_i`.
 #[derive(Clone, Copy, Debug)]
 pub struct AxisList<S = f64> {
-    /// The joint's frame in the parent's: child axes and the joint's origin with all q at 0.
+    /// Frame of the joint in the parent's frame: child axes, and the joint's origin, with all q at 0.
     placement: Frame<S>,
-    /// From the joint to the child's centre of mass, child axes, m: the paper's s_C.
+    /// Vector from the joint to the child's centre of mass, child axes, m: the paper's s_C.
     to_child: Vector3<S>,
     axes: [ElementaryAxis<S>; MOST_AXES],
     /// One label per axis.
@@ -21,10 +21,10 @@ pub struct AxisList<S = f64> {
 }
 
 impl<S: Scalar> AxisList<S> {
-    /// A joint of these axes, from the parent to the child.
+    /// Creates a joint of these axes, from the parent to the child.
     ///
     /// # Panics
-    /// If there are no axes, more than six, or not a label for each.
+    /// If there are no axes, more than six, or not one label per axis.
     pub fn new(
         placement: Frame<S>,
         axes: &[ElementaryAxis<S>],
@@ -65,7 +65,7 @@ impl<S: Scalar> AxisList<S> {
         self.labels
     }
 
-    /// From the joint to the child's centre of mass, child axes, m.
+    /// Returns the vector from the joint to the child's centre of mass, child axes, m.
     pub fn to_child(&self) -> Vector3<S> {
         self.to_child
     }
@@ -76,7 +76,7 @@ impl<S: Scalar> AxisList<S> {
         after.times(&Frame::translation(self.to_child))
     }
 
-    /// The child's twist per unit rate of each coordinate, child axes about its centre of mass.
+    /// Returns the child's twist per unit rate of each coordinate, in child axes about its centre of mass.
     pub fn columns(&self, q: &[S]) -> Columns<S> {
         let mut columns = Columns::new(self.labels.len());
         let mut child = Frame::translation(self.to_child);
@@ -98,7 +98,7 @@ impl<S: Scalar> AxisList<S> {
         rates
     }
 
-    /// Splits the joint into joints of one axis with massless frames between them.
+    /// Splits the joint into joints of one axis each, with massless frames between them.
     pub fn split(&self) -> impl Iterator<Item = (JointKind<S>, MotionType)> + '_ {
         let last = self.labels.len() - 1;
         self.axes().iter().enumerate().map(move |(i, axis)| {
@@ -112,7 +112,7 @@ impl<S: Scalar> AxisList<S> {
         })
     }
 
-    /// Returns a copy of the joint on another parent frame.
+    /// Returns a copy of the joint relative to another parent frame.
     pub fn seen_from(&self, parent: &Frame<S>) -> Self {
         Self { placement: parent.times(&self.placement), ..*self }
     }
@@ -123,7 +123,7 @@ mod tests {
     use super::*;
     use crate::spatial::{exp, vee};
 
-    /// Rotations and translations in turn, on skew axes.
+    /// Rotations and translations alternate, on skew axes.
     fn joint() -> AxisList {
         let unit = |v: [f64; 3]| Vector3(v) * (1.0 / Vector3(v).norm());
         let axes = [
@@ -151,7 +151,7 @@ mod tests {
         let angular = vee(&(here.rotation.transpose() * (after.rotation - before.rotation).scaled(0.5 / h)));
         let columns = joint.columns(&Q);
         let twist = (0..4).fold(Twist::zero(), |sum, i| sum + columns[i] * V[i]);
-        // Second order in h, and rounding over h.
+        // The error is of second order in h, plus rounding over h.
         assert!((twist.angular - angular).norm() + (twist.linear - linear).norm() < 1e-9);
     }
 

@@ -7,7 +7,7 @@ use core::ops::{Deref, DerefMut};
 /// Largest number of axes of one joint.
 pub const MOST_AXES: usize = 6;
 
-/// One twist per coordinate of a joint, in child axes about the child's centre of mass; a slice of zero to six.
+/// One twist per coordinate of a joint, in child axes about the child's centre of mass; a slice of up to six.
 #[derive(Clone, Copy, Debug)]
 pub struct Columns<S = f64> {
     twists: [Twist<S>; MOST_AXES],
@@ -15,12 +15,12 @@ pub struct Columns<S = f64> {
 }
 
 impl<S: Scalar> Columns<S> {
-    /// This number of zero columns, at most six.
+    /// Creates this number of zero columns, at most six.
     pub fn new(count: usize) -> Self {
         Self { twists: [Twist::zero(); MOST_AXES], count }
     }
 
-    /// The columns given by a slice of at most six.
+    /// Creates the columns from a slice of at most six twists.
     pub fn of(twists: &[Twist<S>]) -> Self {
         let mut columns = Self::new(twists.len());
         columns.copy_from_slice(twists);

@@ -5,8 +5,8 @@ use crate::scalar::Scalar;
 use crate::spatial::{Frame, Vector3};
 
 impl<S: Scalar> AxisList<S> {
-    /// Turns about and slides along the unit vector `axis` (child axes): coordinates `rotation`
-    /// (rad) and `translation` (m).
+    /// Returns a joint that rotates about and slides along the unit vector `axis` (child axes): coordinates
+    /// `rotation` (rad) and `translation` (m).
     pub fn cylindrical(placement: Frame<S>, axis: Vector3<S>, to_child: Vector3<S>) -> Self {
         let axes = [ElementaryAxis::rotation(axis), ElementaryAxis::translation(axis)];
         Self::new(placement, &axes, &["rotation", "translation"], to_child)

@@ -1,24 +1,25 @@
-//! No motion: a load lashed to the arm's tip.
+//! Joint without motion, such as a load lashed to the arm's tip.
 
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Vector3};
 
-/// A rigid connection. The dynamics fuses its two bodies.
+/// A rigid connection. The dynamics combines its two bodies.
 #[derive(Clone, Copy, Debug)]
 pub struct Fixed<S = f64> {
     /// The child's frame in the parent's.
     relative: Frame<S>,
-    /// From the joint to the child's centre of mass, child axes, m.
+    /// Vector from the joint to the child's centre of mass, child axes, m.
     to_child: Vector3<S>,
 }
 
 impl<S: Scalar> Fixed<S> {
-    /// A connection at `placement` in the parent's frame, `to_child` from the child's centre of mass.
+    /// Creates a connection at `placement` in the parent's frame; `to_child` is the vector to the child's
+    /// centre of mass.
     pub fn new(placement: Frame<S>, to_child: Vector3<S>) -> Self {
         Self { relative: placement.times(&Frame::translation(to_child)), to_child }
     }
 
-    /// Returns a copy of the connection on another parent frame.
+    /// Returns a copy of the connection relative to another parent frame.
     pub fn seen_from(&self, parent: &Frame<S>) -> Self {
         Self { relative: parent.times(&self.relative), to_child: self.to_child }
     }
@@ -35,7 +36,7 @@ impl<S: Scalar> Fixed<S> {
         self.relative
     }
 
-    /// From the joint to the child's centre of mass, child axes, m.
+    /// Returns the vector from the joint to the child's centre of mass, child axes, m.
     pub fn to_child(&self) -> Vector3<S> {
         self.to_child
     }

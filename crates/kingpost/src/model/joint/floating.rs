@@ -1,4 +1,4 @@
-//! A body free against the world: the ship (eqs. 3, 14).
+//! A body that moves freely relative to the world, such as the ship (eqs. 3, 14).
 
 use super::{Columns, MotionType};
 use crate::scalar::Scalar;
@@ -9,17 +9,17 @@ use crate::spatial::{Frame, Quaternion, Twist, Vector3, dexp_inverse_body};
 /// Either half can be held.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Floating {
-    /// The centre of mass stands still (the paper's first pass).
+    /// Whether the centre of mass is held at rest (the paper's first pass).
     pub hold_translation: bool,
-    /// The body does not turn.
+    /// Whether the rotation is held.
     pub hold_rotation: bool,
 }
 
 impl Floating {
-    /// Names of the six coordinates of v. The last three are body rates: no angle's derivative.
+    /// Names of the six coordinates of v. The last three are body rates, which are not derivatives of angles.
     pub const LABELS: [&'static str; 6] = ["x", "y", "z", "roll", "pitch", "yaw"];
 
-    /// Mode of each of the six coordinates.
+    /// Returns the mode of each of the six coordinates.
     pub fn modes(&self) -> [MotionType; 6] {
         let mode = |held| if held { MotionType::Held } else { MotionType::Free };
         core::array::from_fn(|i| mode(if i < 3 { self.hold_translation } else { self.hold_rotation }))
@@ -49,7 +49,8 @@ impl Floating {
         columns
     }
 
-    /// Rates of the columns: a direction fixed in the world turns in the body, by `-omega x`.
+    /// Returns the rates of the columns: a direction that is fixed in the world rotates relative to the body,
+    /// by `-omega x`.
     pub fn column_rates<S: Scalar>(columns: &Columns<S>, omega: Vector3<S>) -> Columns<S> {
         let mut rates = Columns::new(6);
         for k in 0..3 {
@@ -58,7 +59,8 @@ impl Floating {
         rates
     }
 
-    /// Position adds; rotation is multiplied by the exponential of the local rotation vector.
+    /// Moves the position by a sum, and the rotation by multiplication with the exponential of the local
+    /// rotation vector.
     #[inline]
     pub fn retract<S: Scalar>(q: &[S], xi: &[S], out: &mut [S]) {
         let (q, xi, out) = (&q[..7], &xi[..6], &mut out[..7]);

@@ -1,8 +1,8 @@
-//! Joints, one file each.
+//! Joints, with one file for each kind.
 //!
-//! A joint carries the child's centre of mass from the parent's: "translate, rotate, translate". Joints of several axes
-//! are an [`AxisList`]: a new one is one new file with its list of axes. Any other joint is one new file and one arm in
-//! each `match` of [`JointKind`].
+//! A joint leads from the parent's centre of mass to the child's: "translate, rotate, translate". Joints of
+//! several axes are an [`AxisList`]: a new one needs one new file with its list of axes. Any other new joint
+//! needs one new file and one arm in each `match` of [`JointKind`].
 
 mod axis;
 mod axis_list;
@@ -30,14 +30,14 @@ pub use spherical::Spherical;
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Twist, Vector3};
 
-/// How the acceleration of a coordinate is determined.
+/// Way in which the acceleration of a coordinate is determined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MotionType {
-    /// From the equations of motion.
+    /// By the equations of motion.
     Free,
-    /// It is held at rest; the holding force does no work.
+    /// The coordinate is held at rest; the holding force does no work.
     Held,
-    /// It is given as a function of time; the drive behind it does the work.
+    /// The coordinate is a given function of time; its drive does the work.
     Prescribed,
 }
 
@@ -48,21 +48,21 @@ pub struct Joint<S = f64> {
     pub name: String,
     /// Its kind.
     pub kind: JointKind<S>,
-    /// The mode of a joint with one degree of freedom, or whether a spherical joint is held. Floating joints and lists
-    /// of axes have their own modes.
+    /// Mode of a joint with one degree of freedom, or whether a spherical joint is held. Floating joints and
+    /// lists of axes contain their modes.
     pub mode: MotionType,
 }
 
 /// The kinds of joint.
 #[derive(Clone, Copy, Debug)]
 pub enum JointKind<S = f64> {
-    /// Six degrees of freedom against the world.
+    /// Six degrees of freedom relative to the world.
     Floating(Floating),
     /// Rotation about one axis.
     Revolute(Revolute<S>),
     /// Translation along one axis.
     Prismatic(Prismatic<S>),
-    /// Several axes, one after another: cylindrical, universal, planar, elastic.
+    /// Several axes in succession: cylindrical, universal, planar, elastic.
     AxisList(AxisList<S>),
     /// Rotation about a point.
     Spherical(Spherical<S>),
@@ -71,7 +71,7 @@ pub enum JointKind<S = f64> {
 }
 
 impl<S: Scalar> Joint<S> {
-    /// Names of the coordinates of v that the joint owns.
+    /// Returns the names of the joint's coordinates of v.
     pub fn coordinate_names(&self) -> Vec<String> {
         let labelled = |labels: &[&str]| labels.iter().map(|label| format!("{}.{label}", self.name)).collect();
         match &self.kind {
@@ -83,7 +83,7 @@ impl<S: Scalar> Joint<S> {
         }
     }
 
-    /// Mode of each of those coordinates.
+    /// Returns the mode of each coordinate of v of the joint.
     pub fn coordinate_modes(&self) -> Vec<MotionType> {
         match &self.kind {
             JointKind::Floating(floating) => floating.modes().to_vec(),
@@ -94,7 +94,7 @@ impl<S: Scalar> Joint<S> {
 }
 
 impl<S: Scalar> JointKind<S> {
-    /// Entries in q.
+    /// Returns the number of entries in q.
     pub fn position_count(&self) -> usize {
         match self {
             JointKind::Floating(_) => 7,
@@ -105,7 +105,7 @@ impl<S: Scalar> JointKind<S> {
         }
     }
 
-    /// Entries in v.
+    /// Returns the number of entries in v.
     pub fn velocity_count(&self) -> usize {
         match self {
             JointKind::Floating(_) => 6,
@@ -116,7 +116,7 @@ impl<S: Scalar> JointKind<S> {
         }
     }
 
-    /// Returns the joint on a parent frame that carries the old one at `parent`.
+    /// Returns the joint relative to a frame in which the present parent frame is `parent`.
     pub fn seen_from(self, parent: &Frame<S>) -> Self {
         match self {
             JointKind::Floating(floating) => JointKind::Floating(floating),
@@ -128,8 +128,9 @@ impl<S: Scalar> JointKind<S> {
         }
     }
 
-    /// Returns the joint with the child's frame moved to `to`, relative to its old place; for a floating joint it
-    /// stays. It can be rotated only for a joint of one axis: other joints have coordinates along its axes.
+    /// Returns the joint with the child's frame moved to `to`, relative to its present pose; a floating joint
+    /// does not change. Only a joint of one axis allows a rotation: other joints have coordinates along the
+    /// child's axes.
     pub fn with_child_moved(self, to: &Frame<S>) -> Self {
         let offset = to.position;
         match self {
@@ -142,8 +143,8 @@ impl<S: Scalar> JointKind<S> {
         }
     }
 
-    /// The relative frame connection matrix E(child/parent) of eq. 24; `q` begins at the joint's
-    /// own entries.
+    /// Returns the relative frame connection matrix E(child/parent) of eq. 24; `q` starts at the joint's
+    /// entries.
     #[inline]
     pub fn relative(&self, q: &[S]) -> Frame<S> {
         match self {
@@ -156,8 +157,8 @@ impl<S: Scalar> JointKind<S> {
         }
     }
 
-    /// The child's twist per unit rate of a joint with one degree of freedom, in child axes about
-    /// the child's centre of mass: a constant. `None` for other joints.
+    /// Returns the child's twist per unit rate of a joint with one degree of freedom, in child axes about the
+    /// child's centre of mass; it is constant. `None` for other joints.
     #[inline]
     pub fn axis_twist(&self) -> Option<&Twist<S>> {
         match self {
@@ -167,8 +168,8 @@ impl<S: Scalar> JointKind<S> {
         }
     }
 
-    /// The child's twist per unit rate of each coordinate, in child axes about the child's centre
-    /// of mass; `child` is its frame in the world, whose axes a floating joint's translation has.
+    /// Returns the child's twist per unit rate of each coordinate, in child axes about the child's centre of
+    /// mass; `child` is its frame in the world, because the translation of a floating joint is in world axes.
     pub fn columns(&self, q: &[S], child: &Frame<S>) -> Columns<S> {
         match self {
             JointKind::Floating(_) => Floating::columns(child),
@@ -180,8 +181,8 @@ impl<S: Scalar> JointKind<S> {
         }
     }
 
-    /// Rates of those columns, component by component, at the rates `v` of the joint's coordinates;
-    /// `omega` is the child's angular velocity in its own axes, rad/s.
+    /// Returns the rates of these columns, component by component, at the rates `v` of the joint's
+    /// coordinates; `omega` is the child's angular velocity in its own axes, rad/s.
     pub fn column_rates(&self, columns: &Columns<S>, v: &[S], omega: Vector3<S>) -> Columns<S> {
         match self {
             JointKind::Floating(_) => Floating::column_rates(columns, omega),
@@ -192,8 +193,8 @@ impl<S: Scalar> JointKind<S> {
         }
     }
 
-    /// Whether coordinate k of the joint rotates or slides; `None` for floating and spherical joints, whose rates are
-    /// not derivatives of positions.
+    /// Returns whether coordinate k of the joint rotates or slides; `None` for floating and spherical joints,
+    /// whose rates are not derivatives of positions.
     pub fn axis_motion(&self, k: usize) -> Option<AxisMotion> {
         match self {
             JointKind::Revolute(_) => Some(AxisMotion::Rotation),
@@ -203,13 +204,14 @@ impl<S: Scalar> JointKind<S> {
         }
     }
 
-    /// Whether its body can swing freely in all directions about a point.
+    /// Returns whether the child can swing freely in all directions about a point.
     pub fn swings(&self) -> bool {
         let turns = |axis: usize| self.axis_motion(axis) == Some(AxisMotion::Rotation);
         matches!(self, JointKind::Spherical(_)) || (self.velocity_count() == 2 && turns(0) && turns(1))
     }
 
-    /// Index of a unit quaternion in the joint's entries of q, and of its body rates in those of v.
+    /// Returns the index of the unit quaternion among the joint's entries of q, and that of its body rates
+    /// among those of v.
     pub fn quaternion(&self) -> Option<(usize, usize)> {
         match self {
             JointKind::Floating(_) => Some((3, 3)),
@@ -218,7 +220,7 @@ impl<S: Scalar> JointKind<S> {
         }
     }
 
-    /// From the joint to the child's centre of mass, child axes, m.
+    /// Returns the vector from the joint to the child's centre of mass, child axes, m.
     pub fn to_child(&self) -> Vector3<S> {
         match self {
             JointKind::Floating(_) => Vector3::zero(),
@@ -230,7 +232,7 @@ impl<S: Scalar> JointKind<S> {
         }
     }
 
-    /// See [`Tree::retract`](super::Tree::retract); slices begin at the joint's own entries.
+    /// See [`Tree::retract`](super::Tree::retract); slices start at the joint's entries.
     #[inline]
     pub fn retract(&self, q: &[S], xi: &[S], out: &mut [S]) {
         match self {

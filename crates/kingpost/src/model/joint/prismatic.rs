@@ -1,38 +1,38 @@
-//! Translation along one axis: a telescope.
+//! Translation along one axis, such as a telescope.
 
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Twist, Vector3};
 
-/// A slide.
+/// A prismatic joint.
 #[derive(Clone, Copy, Debug)]
 pub struct Prismatic<S = f64> {
     /// The joint's frame in the parent's: child axes, origin at zero extension.
     placement: Frame<S>,
-    /// From the slide's origin on the child to its centre of mass, child axes, m.
+    /// Vector from the joint's origin on the child to the child's centre of mass, child axes, m.
     to_child: Vector3<S>,
     /// Child's twist per unit rate.
     twist: Twist<S>,
 }
 
 impl<S: Scalar> Prismatic<S> {
-    /// A slide along the unit vector `axis` (child axes).
+    /// Creates a prismatic joint along the unit vector `axis` (child axes).
     pub fn new(placement: Frame<S>, axis: Vector3<S>, to_child: Vector3<S>) -> Self {
         Self { placement, to_child, twist: Twist { angular: Vector3::zero(), linear: axis } }
     }
 
-    /// Returns a copy of the slide on another parent frame.
+    /// Returns a copy of the joint relative to another parent frame.
     pub fn seen_from(&self, parent: &Frame<S>) -> Self {
         Self { placement: parent.times(&self.placement), ..*self }
     }
 
-    /// Returns a copy of the slide with the child's frame put to `to`, seen from where it was.
+    /// Returns a copy of the joint with the child's frame moved to `to`, relative to its present pose.
     pub fn with_child_moved(&self, to: &Frame<S>) -> Self {
         let turned = |v: Vector3<S>| to.rotation.transpose_times(v);
         let placement = Frame { rotation: self.placement.rotation * to.rotation, ..self.placement };
         Self::new(placement, turned(self.twist.linear), turned(self.to_child + to.position))
     }
 
-    /// E(child/parent) at an extension in m.
+    /// Returns E(child/parent) at a displacement in m.
     #[inline]
     pub fn relative(&self, extension: S) -> Frame<S> {
         let position = self.placement.point(self.twist.linear * extension + self.to_child);
@@ -55,7 +55,7 @@ impl<S: Scalar> Prismatic<S> {
         self.twist.linear
     }
 
-    /// From the slide's origin on the child to the child's centre of mass, child axes, m.
+    /// Returns the vector from the joint's origin on the child to the child's centre of mass, child axes, m.
     pub fn to_child(&self) -> Vector3<S> {
         self.to_child
     }

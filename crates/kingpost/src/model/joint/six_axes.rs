@@ -1,12 +1,12 @@
-//! Six axes: a body whose whole motion is written as three slides and three turns.
+//! Six axes: the whole motion of a body as three translations and three rotations.
 
 use super::{AxisList, ElementaryAxis};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Vector3};
 
 impl<S: Scalar> AxisList<S> {
-    /// Slides along x, y and z of the placement, then turns about z, y and x: coordinates `x`, `y`, `z` (m), `yaw`, `pitch`
-    /// and `roll` (rad).
+    /// Returns a joint that slides along x, y and z of the placement, then rotates about z, y and x:
+    /// coordinates `x`, `y`, `z` (m), `yaw`, `pitch` and `roll` (rad).
     pub fn six_axes(placement: Frame<S>, to_child: Vector3<S>) -> Self {
         let along = |k: usize| Vector3(core::array::from_fn(|i| if i == k { S::ONE } else { S::ZERO }));
         let slides = [0, 1, 2].map(|k| ElementaryAxis::translation(along(k)));

@@ -1,4 +1,4 @@
-//! The contract of a kind of the file: the elements that are assembled from its fields.
+//! Contract of a kind in the scenario file: how elements are assembled from its fields.
 
 use crate::elements::{AnyElement, Input};
 use crate::model::Model;
@@ -8,18 +8,19 @@ use crate::scenario::leaf::Quantity;
 use crate::scenario::schema::{Positive, Scenario};
 use crate::world::World;
 
-/// A sampling period may differ from a whole number of steps by this share of a step.
+/// Largest deviation of a sampling period from a whole number of steps, in steps.
 const WHOLE: f64 = 1e-6;
 
-/// Parts of a setup that a kind is assembled with.
+/// Parts of the setup that are available when a kind is assembled.
 #[derive(Clone, Copy)]
 pub(crate) struct Surroundings<'a, S> {
     pub(crate) scenario: &'a Scenario<S>,
     pub(crate) model: &'a Model<S>,
     pub(crate) world: &'a World<S>,
-    /// q and v at the start.
+    /// q and v at the start of the run.
     pub(crate) start: (&'a [S], &'a [S]),
-    /// The elements that stand before it: for a sensor all that it may measure, for a controller all others.
+    /// Elements assembled before this one: for a sensor all elements that it can measure, for a controller
+    /// all others.
     pub(crate) elements: &'a [AnyElement<S>],
     /// The columns that a controller may read.
     pub(crate) columns: &'a [Column],
@@ -29,10 +30,10 @@ pub(crate) struct Surroundings<'a, S> {
 
 /// A force, a sensor or a controller of the file.
 pub(crate) trait Assemble<S: Quantity> {
-    /// Assembles its elements: none if it is disabled, or acts on a body that is.
+    /// Assembles its elements: none if it, or the body on which it acts, is disabled.
     ///
     /// # Errors
-    /// A field that does not fit the others of the scenario.
+    /// A field that contradicts another field of the scenario.
     fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError>;
 }
 
@@ -43,7 +44,7 @@ impl<S: Quantity, T: Assemble<S>> Assemble<S> for Box<T> {
 }
 
 impl<'a, S: Quantity> Surroundings<'a, S> {
-    /// Before any element is assembled.
+    /// Returns the surroundings before any element is assembled.
     pub(crate) fn new(
         scenario: &'a Scenario<S>,
         model: &'a Model<S>,
@@ -53,12 +54,12 @@ impl<'a, S: Quantity> Surroundings<'a, S> {
         Self { scenario, model, world, start, elements: &[], columns: &[], inputs: &[] }
     }
 
-    /// The step of the run, s.
+    /// Returns the time step of the run, s.
     pub(crate) fn step_s(self) -> f64 {
         self.scenario.simulation.step_s.get()
     }
 
-    /// The sampling period: a whole number of steps.
+    /// Returns the sampling period, which must be a whole number of steps.
     ///
     /// # Errors
     /// A period that is not a whole number of steps.
@@ -72,7 +73,8 @@ impl<'a, S: Quantity> Surroundings<'a, S> {
         Ok(libm::round(steps) * step_s)
     }
 
-    /// The input of a name. A controller is assembled once all its targets are inputs.
+    /// Returns the input with this name; `None` if it does not exist yet. A controller is assembled when all
+    /// its targets exist.
     pub(crate) fn input(self, name: &str) -> Option<Input> {
         self.inputs.iter().find(|input| input.name == name).cloned()
     }

@@ -1,4 +1,4 @@
-//! Pins on bodies as attachments in the model.
+//! Converts the pins of a scenario to attachments of the model.
 
 use crate::model::{Attachment, Model};
 use crate::scenario::assembly::FieldError;
@@ -7,7 +7,8 @@ use crate::scenario::leaf::Quantity;
 use crate::scenario::schema::{self, Scenario};
 use crate::spatial::{Frame, Vector3};
 
-/// A pin relative to the centre of mass of its body; `field` is the path of its position.
+/// Returns the attachment of a pin, relative to the centre of mass of its body; `field` is the path of the
+/// pin's position.
 pub(crate) fn attachment<S: Quantity>(
     scenario: &Scenario<S>,
     model: &Model<S>,

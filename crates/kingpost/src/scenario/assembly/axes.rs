@@ -1,4 +1,4 @@
-//! Axes of joints, rotating and sliding alike, and the forces in them.
+//! Rotational and translational axes of joints, and the forces in them.
 
 use crate::elements::{
     AnyElement, CoulombFriction, GasSpring, JointDamping, JointSpring, JointStop, StopSide, significant,
@@ -10,7 +10,7 @@ use crate::scenario::schema::{
     self, AngleAxis, History, HistoryList, LengthAxis, PrismaticMode, RatePulse, RevoluteMode,
 };
 
-/// An axis of a joint, in rad and N m or in m and N.
+/// An axis of a joint; its coordinate and force are in rad and N m, or in m and N.
 pub struct JointAxis<S> {
     /// Its name within the joint; empty if the joint has one axis.
     pub label: &'static str,
@@ -21,9 +21,9 @@ pub struct JointAxis<S> {
     /// Its prescribed motion, if any.
     pub given: Option<GivenMotion<S>>,
     pub damping: S,
-    /// Friction and smoothing.
+    /// Friction torque or force, and its smoothing rate.
     pub friction: Option<[S; 2]>,
-    /// Stiffness and rest.
+    /// Stiffness and rest position.
     pub spring: Option<[S; 2]>,
     pub gas_spring: Option<schema::GasSpring<S>>,
     pub limits: Option<AxisStops<S>>,
@@ -35,17 +35,17 @@ pub struct JointAxis<S> {
 pub enum GivenMotion<S> {
     /// A rate over time.
     Rate { full: S, history: History, pulse: Option<RatePulse>, list: Option<HistoryList<S>> },
-    /// A distance from rest to rest, and its times, s.
+    /// A displacement that starts and ends at rest, and its times, s.
     Travel { way: S, start_s: f64, duration_s: f64, ramp_s: f64 },
     /// An oscillation about the initial value.
     Oscillation { amplitude: S, period_s: S, phase_rad: S, ramp_s: f64 },
 }
 
-/// Stops of an axis.
+/// Stops of an axis, at its limits.
 pub struct AxisStops<S> {
     pub lower: Option<S>,
     pub upper: Option<S>,
-    /// Stiffness and dissipation.
+    /// Stiffness and dissipation of the contact.
     pub contact: [S; 2],
 }
 
@@ -153,17 +153,17 @@ fn oscillation<S: Quantity>(
 }
 
 impl<S: Quantity> JointAxis<S> {
-    /// The name of its coordinate.
+    /// Returns the name of the axis's coordinate.
     pub fn coordinate_name(&self, joint: &str) -> String {
         if self.label.is_empty() { joint.to_owned() } else { format!("{joint}.{}", self.label) }
     }
 
-    /// The path of one of its fields below the joint's.
+    /// Returns the path of a field of the axis, relative to the joint.
     pub fn field(&self, name: &str) -> String {
         if self.label.is_empty() { name.to_owned() } else { format!("{}.{name}", self.label) }
     }
 
-    /// The path of its initial rate below the joint's.
+    /// Returns the path of the initial rate, relative to the joint.
     pub fn rate_field(&self) -> String {
         self.field(self.either("initial_rate_rad_s", "initial_speed_m_s"))
     }
@@ -172,7 +172,7 @@ impl<S: Quantity> JointAxis<S> {
         if self.motion == AxisMotion::Rotation { turning } else { sliding }
     }
 
-    /// An error unless the lower limit is below the upper; `joint` is the path of the joint.
+    /// Returns an error unless the lower limit is below the upper one; `joint` is the path of the joint.
     fn check_limits(&self, joint: &str) -> Result<(), FieldError> {
         let Some(limits) = &self.limits else { return Ok(()) };
         let (lower, upper) = (self.either("lower_rad", "lower_m"), self.either("upper_rad", "upper_m"));
@@ -188,8 +188,8 @@ impl<S: Quantity> JointAxis<S> {
     }
 }
 
-/// The forces in an axis of a joint, whose coordinate has these indices in q and v; `path` is the joint's. Refuses
-/// limits that cross, and a gas spring that no limit keeps from an end without gas.
+/// Returns the forces in an axis of a joint; its coordinate has these indices in q and v, and `path` is the joint's
+/// path. Refuses a lower limit above the upper one, and a gas spring without a lower limit at which gas is left.
 pub fn forces_in_axis<S: Quantity>(
     (joint, path): (&str, &str),
     axis: &JointAxis<S>,
@@ -218,7 +218,7 @@ pub fn forces_in_axis<S: Quantity>(
     Ok(forces)
 }
 
-/// The gas spring of an axis.
+/// Returns the gas spring of an axis.
 fn gas_spring<S: Quantity>(
     (joint, path): (&str, &str),
     axis: &JointAxis<S>,
@@ -228,7 +228,7 @@ fn gas_spring<S: Quantity>(
     let (area, volume, extension) = (given.piston_area_m2.get(), given.gas_volume_m3.get(), given.at_extension_m);
     let field = |name: &str| format!("{path}.{}", axis.field(name));
     let Some(lower) = axis.limits.as_ref().and_then(|limits| limits.lower) else {
-        let allowed = "limits with lower_m, at which gas is left, for the gas spring of the axis";
+        let allowed = "limits with lower_m, at which the gas volume is not 0, for the gas spring of the axis";
         return Err(FieldError::new(field("limits"), "no lower limit", allowed));
     };
     let left = volume + area * (lower - extension);
@@ -238,7 +238,7 @@ fn gas_spring<S: Quantity>(
         return Err(FieldError::new(
             field("limits.lower_m"),
             found,
-            format!("more than {empty:.4}, where no gas is left"),
+            format!("more than {empty:.4}, where the gas volume is 0"),
         ));
     }
     Ok(GasSpring {

@@ -31,7 +31,7 @@ pub fn build<S: Quantity>(scenario: &Scenario<S>) -> Result<Bodies<S>, FieldErro
     Ok(growth.finish())
 }
 
-/// The tree while it is built, parents first.
+/// The tree during its construction, parents first.
 #[derive(Default)]
 struct TreeBuilder<S> {
     descriptions: Vec<BodyDefinition<S>>,
@@ -66,7 +66,7 @@ impl<S: Quantity> TreeBuilder<S> {
         }
     }
 
-    /// The parent of a body, and the parent's centre of mass in the drawing frame.
+    /// Returns the parent of a body, and the parent's centre of mass in the drawing frame.
     fn parent(
         &self,
         scenario: &Scenario<S>,
@@ -105,7 +105,7 @@ impl<S: Quantity> TreeBuilder<S> {
         Ok(())
     }
 
-    /// The liquid of U-tanks and free-flooding tanks: bodies that the scenario gives as forces.
+    /// Adds the liquid of U-tanks and free-flooding tanks: these bodies are forces in the scenario.
     fn add_liquids(&mut self, scenario: &Scenario<S>) -> Result<(), FieldError> {
         let place = |name: &str| self.descriptions.iter().position(|description| description.name == name);
         let liquids = [u_tanks::bodies(scenario, place)?, free_flooding_tanks::bodies(scenario, place)?];
@@ -127,7 +127,7 @@ impl<S: Quantity> TreeBuilder<S> {
     }
 }
 
-/// Names of the bodies that exist, parents first, otherwise in the order of the file.
+/// Returns the names of the enabled bodies, parents first, otherwise in the order of the file.
 fn order<S: Quantity>(scenario: &Scenario<S>) -> Result<Vec<&str>, FieldError> {
     check_names(scenario)?;
     let (mut order, mut placed) = (Vec::new(), HashSet::new());
@@ -143,8 +143,8 @@ fn order<S: Quantity>(scenario: &Scenario<S>) -> Result<Vec<&str>, FieldError> {
     Ok(order)
 }
 
-/// Checks that parents exist and that joint names are unique, including joints of disabled bodies, so that enabling a
-/// body never moves a drive to another joint.
+/// Checks that parents exist and that joint names are unique. Joints of disabled bodies count too: otherwise
+/// enabling a body could change the joint that a drive acts on.
 fn check_names<S: Quantity>(scenario: &Scenario<S>) -> Result<(), FieldError> {
     let mut joints = HashSet::new();
     for (name, body) in &scenario.bodies {
@@ -164,12 +164,12 @@ fn check_names<S: Quantity>(scenario: &Scenario<S>) -> Result<(), FieldError> {
     Ok(())
 }
 
-/// The name of a joint: its own, else its body's.
+/// Returns the name of a joint: the given one, otherwise the name of its body.
 pub fn joint_name<'a, S: Quantity>(body_name: &'a str, body: &'a schema::Body<S>) -> &'a str {
     body.joint.name().map_or(body_name, |name| name.as_str())
 }
 
-/// A body and its ancestors up to the world.
+/// Returns a body and its ancestors up to the world.
 fn chain<'a, S: Quantity>(scenario: &'a Scenario<S>, name: &'a str) -> Result<Vec<&'a str>, FieldError> {
     let (mut chain, mut seen) = (vec![name], HashSet::from([name]));
     while let Some(parent) = scenario.bodies[chain[chain.len() - 1]].parent_body() {
@@ -182,7 +182,7 @@ fn chain<'a, S: Quantity>(scenario: &'a Scenario<S>, name: &'a str) -> Result<Ve
     Ok(chain)
 }
 
-/// The joint with its geometry moved from the drawing frames to the centres of mass.
+/// Returns the joint with its geometry moved from the drawing frames to the centres of mass.
 fn joint<S: Quantity>(
     name: &str,
     body: &schema::Body<S>,
@@ -238,10 +238,10 @@ fn joint<S: Quantity>(
     Ok(Joint { name: joint_name(name, body).to_owned(), kind, mode })
 }
 
-/// How far two directions may be from a right angle, rad: the rounding of six written digits.
+/// Largest deviation of two directions from a right angle, rad: the rounding of six written digits.
 const NEARLY_PERPENDICULAR: f64 = 1e-5;
 
-/// An error unless the two directions of a joint that has two are perpendicular.
+/// Returns an error unless both directions of a joint with two directions are perpendicular.
 fn check_perpendicular<S: Quantity>(name: &str, joint: &schema::Joint<S>) -> Result<(), FieldError> {
     let [(first, one), (second, other)] = joint.directions()[..] else { return Ok(()) };
     let cosine = Vector3(one.get()).direction().dot(Vector3(other.get()).direction());
@@ -252,7 +252,7 @@ fn check_perpendicular<S: Quantity>(name: &str, joint: &schema::Joint<S>) -> Res
     Err(FieldError::new(field, found, format!("one perpendicular to {first}")))
 }
 
-/// The forces in the joint of a body whose coordinates come next in q and v.
+/// Returns the forces in the joint of a body whose coordinates are the next ones in q and v.
 fn forces_in_joint<S: Quantity>(
     name: &str,
     body: &schema::Body<S>,
@@ -311,7 +311,7 @@ fn initial<S: Quantity>(name: &str, body: &schema::Body<S>, q: &mut Vec<S>, v: &
     Ok(())
 }
 
-/// Inertia about the centre of mass: the given one, else the shape's.
+/// Returns the inertia about the centre of mass: the given one, otherwise that of the shape.
 fn inertia<S: Quantity>(name: &str, body: &schema::Body<S>) -> Result<SpatialInertia<S>, FieldError> {
     let mass = body.mass_kg.get();
     let (moments, field) = match (&body.inertia, &body.shape) {
@@ -353,7 +353,7 @@ fn inertia<S: Quantity>(name: &str, body: &schema::Body<S>) -> Result<SpatialIne
     Ok(SpatialInertia::rigid(mass, moments))
 }
 
-/// The shape in the engine's terms.
+/// Converts a shape of the scenario to the engine's type.
 fn solid<S: Quantity>(shape: &schema::Shape<S>) -> Shape<S> {
     match shape {
         schema::Shape::Box(given) => {
@@ -367,7 +367,7 @@ fn solid<S: Quantity>(shape: &schema::Shape<S>) -> Shape<S> {
     }
 }
 
-/// An axis in the engine's terms.
+/// Converts an axis of the scenario to the engine's type.
 pub(crate) fn axis(given: schema::PrincipalAxis) -> Axis {
     match given {
         schema::PrincipalAxis::X => Axis::X,

@@ -1,4 +1,4 @@
-//! Hulls that the water cannot carry.
+//! Check that the buoyancy of each hull can carry the weight on it.
 
 use crate::elements::hull::Hydrostatics;
 use crate::elements::{AnyElement, Hull, Support};
@@ -10,15 +10,15 @@ use crate::sea::database::HullAtRest;
 use crate::sea::hull::HullMesh;
 use crate::simulation::Setup;
 
-/// A hull in the water, and what it encloses at most, m^3, where the data say it.
+/// A hull in the water, and the volume of the whole hull, m^3, if its data give it.
 struct InWater<'a> {
     hull: &'a Hull,
     at_rest: &'a HullAtRest,
     largest_m3: Option<f64>,
 }
 
-/// An error where hulls that nothing else carries weigh more, with all that stands on them or hangs from them, than they
-/// displace when all of them is under water.
+/// Returns an error if hulls that only the water carries weigh more, with all bodies that stand on them or
+/// hang from them, than they displace when fully submerged.
 pub fn check(scenario: &Scenario, setup: &Setup) -> Result<(), FieldError> {
     let Setup { model, world, elements, .. } = setup;
     let in_water = Hull::among(elements).filter_map(|hull| InWater::of(scenario, hull));
@@ -64,13 +64,13 @@ impl<'a> InWater<'a> {
     }
 }
 
-/// Floating bodies, in groups that are connected to each other.
+/// Floating bodies, in groups of connected bodies.
 struct FloatingGroups {
     /// The group of each body; `None` for a body that is fixed to the world.
     group: Vec<Option<usize>>,
-    /// For each body, whether anything but water and moorings connects its tree to the world.
+    /// For each body, whether something other than water and moorings connects its tree to the world.
     is_held: Vec<bool>,
-    /// For each body, whether its tree has a hull.
+    /// For each body, whether its tree contains a hull.
     has_hull: Vec<bool>,
 }
 
@@ -101,20 +101,20 @@ impl FloatingGroups {
         Self { group, is_held: of_root(&|root| held.contains(&root)), has_hull: of_root(&has_hull) }
     }
 
-    /// Whether something but the water carries a hull of a group.
+    /// Returns whether something other than the water carries a hull of a group.
     fn is_carried(&self, group: Option<usize>) -> bool {
         group.is_none()
             || (0..self.group.len()).any(|body| self.group[body] == group && self.has_hull[body] && self.is_held[body])
     }
 
-    /// Returns the mass of a group, without loads that the world carries too, kg.
+    /// Returns the mass of a group, kg, without loads that the world also carries.
     fn mass(&self, model: &Model, group: Option<usize>) -> f64 {
         let counts = |body: &usize| self.group[*body] == group && !self.is_held[*body];
         (0..self.group.len()).filter(counts).map(|body| model.bodies[body].mass).sum()
     }
 }
 
-/// The body that floats freely and carries this one by joints, if one does.
+/// Returns the freely floating body that carries this one by joints; `None` if there is none.
 fn floating_root(model: &Model, mut body: usize) -> Option<usize> {
     while let Some(parent) = model.tree.nodes[body].parent {
         body = parent;

@@ -12,21 +12,21 @@ use crate::simulation::Setup;
 /// A column of the results.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
-    /// Its name in a table.
+    /// Name of the column in a table of results.
     pub name: String,
-    /// SI.
+    /// SI unit.
     pub unit: &'static str,
 }
 
 /// Number of similar names that an error lists.
 const MOST_LISTED: usize = 12;
 
-/// Every column of a run.
+/// Returns every column of a run.
 pub fn of<S: Quantity>(setup: &Setup<S>) -> Vec<Column> {
     among(&setup.model, &setup.elements)
 }
 
-/// Every column of this model with these elements.
+/// Returns every column of this model with these elements.
 pub fn among<S: Quantity>(model: &Model<S>, elements: &[AnyElement<S>]) -> Vec<Column> {
     let channels = Channels::new(model, &Layout::new(elements, 0)).list;
     let of = |channel: crate::results::Channel| {
@@ -35,13 +35,14 @@ pub fn among<S: Quantity>(model: &Model<S>, elements: &[AnyElement<S>]) -> Vec<C
     channels.into_iter().flat_map(of).collect()
 }
 
-/// The column of a name.
+/// Returns the column with this name.
 pub fn find<'a>(columns: &'a [Column], field: &str, name: &str) -> Result<&'a Column, FieldError> {
     if let Some(column) = columns.iter().find(|column| column.name == name) {
         return Ok(column);
     }
     let all: Vec<&str> = columns.iter().map(|column| column.name.as_str()).collect();
-    // Names that share most parts, such as the same body or the same variable of another body, come first.
+    // Candidates are sorted by the number of name parts in common, such as the same body, or the same
+    // variable of another body.
     let shared = |column: &str| column.split('.').filter(|part| name.split('.').any(|other| other == *part)).count();
     let mut alike: Vec<&str> = all.iter().copied().filter(|column| shared(column) > 0).collect();
     alike.sort_by_key(|column| core::cmp::Reverse(shared(column)));
@@ -54,7 +55,7 @@ pub fn find<'a>(columns: &'a [Column], field: &str, name: &str) -> Result<&'a Co
     Err(FieldError::new(field, name, allowed))
 }
 
-/// How many SI units a unit is.
+/// Returns the factor from a unit to the SI unit.
 pub fn factor(field: &str, unit: Option<&str>, si: &str) -> Result<f64, FieldError> {
     let Some(unit) = unit else { return Ok(1.0) };
     units::factor_of(unit, si).ok_or_else(|| {

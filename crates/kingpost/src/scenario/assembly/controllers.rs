@@ -1,4 +1,4 @@
-//! Controllers, which stand before inputs.
+//! Controllers, which set inputs of other elements.
 
 use crate::elements::{AnyElement, Layout};
 use crate::model::Model;
@@ -8,7 +8,8 @@ use crate::scenario::assembly::{FieldError, sensors};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema::{self, Controller, Scenario, SetsInputs};
 
-/// Adds the controllers after all other elements, each before the one whose command it sets; returns how many.
+/// Adds the controllers after all other elements, each before the one whose command it sets; returns their
+/// number.
 pub fn add<S: Quantity>(at: Surroundings<'_, S>, elements: &mut Vec<AnyElement<S>>) -> Result<usize, FieldError> {
     let Surroundings { scenario, model, .. } = at;
     let columns = known_columns(model, elements);
@@ -30,7 +31,7 @@ pub fn add<S: Quantity>(at: Surroundings<'_, S>, elements: &mut Vec<AnyElement<S
     Ok(elements.len() - first)
 }
 
-/// The columns of the results and the states of elements.
+/// Returns the columns of the results and the states of elements.
 fn known_columns<S: Quantity>(model: &Model<S>, elements: &[AnyElement<S>]) -> Vec<Column> {
     let mut known = columns::among(model, elements);
     let states = Layout::new(elements, 0).states.into_iter();
@@ -38,7 +39,7 @@ fn known_columns<S: Quantity>(model: &Model<S>, elements: &[AnyElement<S>]) -> V
     known
 }
 
-/// Checks that no input is set twice and that the commands have names of their own.
+/// Checks that no input is set twice and that the names of commands are unique.
 fn check_targets<S: Quantity>(scenario: &Scenario<S>, elements: &[AnyElement<S>]) -> Result<(), FieldError> {
     let inputs = Layout::new(elements, 0).inputs;
     let mut set: Vec<(&str, &str)> = Vec::new();
@@ -62,7 +63,7 @@ fn check_targets<S: Quantity>(scenario: &Scenario<S>, elements: &[AnyElement<S>]
     Ok(())
 }
 
-/// An error for the first target that is no input.
+/// Returns the error for the first target that is not an input.
 fn unknown_target<S: Quantity>(
     scenario: &Scenario<S>,
     layout: &Layout,

@@ -1,4 +1,4 @@
-//! Runs that begin at an equilibrium.
+//! Runs that start at an equilibrium.
 
 use super::super::schema::Scenario;
 use super::FieldError;
@@ -13,7 +13,7 @@ use crate::state::State;
 
 const FIELD: &str = "simulation.begin_at_equilibrium";
 
-/// Moves a setup to its equilibrium if the scenario asks for it; its velocities stay.
+/// Moves a setup to its equilibrium if the scenario asks for it; its velocities do not change.
 pub fn settle(scenario: &Scenario, setup: &mut Setup) -> Result<(), FieldError> {
     if !scenario.simulation.begin_at_equilibrium {
         return Ok(());
@@ -32,7 +32,8 @@ pub fn settle(scenario: &Scenario, setup: &mut Setup) -> Result<(), FieldError> 
     Ok(())
 }
 
-/// Moves a setup over another scalar to the equilibria of several setups in lanes, or of one with its derivatives.
+/// Moves a setup over another scalar to the equilibria of the plain setups: one for each lane, or a single
+/// one with its derivatives.
 pub fn follow<S: Quantity>(alone: &[&Setup], setup: &mut Setup<S>) -> Result<(), FieldError> {
     for i in free_positions(&setup.model) {
         setup.q[i] = S::of_each(|k| alone[k].q[i]);
@@ -48,18 +49,18 @@ pub fn follow<S: Quantity>(alone: &[&Setup], setup: &mut Setup<S>) -> Result<(),
     Ok(())
 }
 
-/// The elements that find a holding force.
+/// Returns the elements that determine a holding force.
 fn settling<S: Scalar>(elements: &mut [AnyElement<S>]) -> impl Iterator<Item = &mut dyn Settling<S>> {
     elements.iter_mut().filter_map(|element| element.settling_mut())
 }
 
-/// The force that one of them has found.
+/// Returns an entry of the holding force that an element has determined.
 fn trim_of(elements: &[AnyElement], which: usize, entry: usize) -> f64 {
     let mut trims = elements.iter().filter_map(|element| Some(element.settling()?.trim()));
     trims.nth(which).map_or(0.0, |trim| trim[entry])
 }
 
-/// Entries of q that belong to free coordinates.
+/// Returns the indices in q of the free coordinates.
 fn free_positions<S: Scalar>(model: &Model<S>) -> Vec<usize> {
     let of = |node: &Node<S>| {
         let rates = node.kind.velocity_count();
@@ -71,21 +72,23 @@ fn free_positions<S: Scalar>(model: &Model<S>) -> Vec<usize> {
     model.tree.nodes.iter().flat_map(of).collect()
 }
 
-/// Number of handovers to integrals: each reduces the errors of the derivatives to about a hundredth.
+/// Number of transfers of the holding force to integrals: each reduces the errors of the derivatives to about
+/// a hundredth.
 const HANDOVERS: usize = 12;
 
-/// One more Newton step, whose value is 0 and whose derivatives are those of the equilibrium (implicit function
-/// theorem).
+/// Takes one more Newton step: its value is 0, and its derivatives are those of the equilibrium (implicit
+/// function theorem).
 fn differentiate<S: Scalar>(plain: &Setup, setup: &mut Setup<S>) -> Result<(), FieldError> {
     let compliance = Simulation::new(plain.clone()).compliance();
     let compliance = compliance.ok_or_else(|| {
-        FieldError::new(FIELD, "true, where nothing keeps the model in its place", "false, for a derivative")
+        FieldError::new(FIELD, "true, for a model that nothing holds in position", "false, for a derivative")
     })?;
     let mut plant = Plant::new(setup.model.clone(), setup.world.clone(), setup.elements.clone());
     let still = vec![S::ZERO; setup.v.len()];
     let inputs: Vec<S> = plant.layout().inputs.iter().map(|input| S::constant(input.value)).collect();
     let mut state = State { q: setup.q.clone(), v: still.clone(), ..State::default() };
-    // As at the start of a run: a new search would take the present position as that without friction.
+    // Friction is initialised as at the start of a run: a new search would take the present position as that
+    // without friction.
     plant.begin(0.0, &inputs, &mut state);
     plant.set_evaluation_mode(EvaluationMode::Settling);
     plant.follow_restraints(0.0, &state, &mut setup.q);

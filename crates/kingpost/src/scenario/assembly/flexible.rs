@@ -1,4 +1,4 @@
-//! Flexible bodies: a beam's segments as bodies, its elastic joints with their springs and dampers.
+//! Flexible bodies: the segments of a beam as bodies, and its elastic joints with springs and dampers.
 
 use crate::elements::{AnyElement, JointDamping, JointSpring};
 use crate::model::joint::AxisList;
@@ -11,20 +11,20 @@ use crate::spatial::{Frame, Matrix3, Vector3};
 /// Axes of an elastic joint.
 pub const ELASTIC_AXES: usize = 5;
 
-/// Largest number of elastic joints of one body.
+/// Largest number of elastic joints in one body.
 const MOST_SEGMENTS: u64 = 64;
 
-/// A flexible body and its place in its drawing frame.
+/// A flexible body and its position in its drawing frame.
 pub struct FlexibleBody<S> {
     name: String,
     beam: Beam<S>,
-    /// The beam's start in the drawing frame, m.
+    /// Start of the beam in the drawing frame, m.
     start: Vector3<S>,
-    /// Damping over stiffness, s.
+    /// Ratio of damping to stiffness, s.
     damping_time: S,
 }
 
-/// The name of the body in the scenario that a segment belongs to, and the segment's number; 0 for a
+/// Returns the scenario's name of the body to which a segment belongs, and the segment's number; 0 for a
 /// rigid body and for the first segment.
 pub fn owner(name: &str) -> (&str, usize) {
     match name.split_once('.') {
@@ -33,11 +33,11 @@ pub fn owner(name: &str) -> (&str, usize) {
     }
 }
 
-/// The segment of the body with this name at a position in its drawing frame, counted from the body itself, and the
-/// segment's centre of mass; for a rigid body, the body itself.
+/// Returns the number of a body's segment at a position in its drawing frame, and the segment's centre of
+/// mass; the number is 0 for the first segment and for a rigid body.
 ///
 /// # Errors
-/// A position that is on different segments in different lanes; `field` is its x.
+/// A position that is on different segments in different lanes; `field` is the path of its x.
 pub fn carrier<S: Quantity>(
     scenario: &Scenario<S>,
     name: &str,
@@ -54,8 +54,8 @@ pub fn carrier<S: Quantity>(
     }
 }
 
-/// The body of the model that carries a position on a named body, or in the world, and its centre of mass in that
-/// body's drawing frame. `field` is the path of the position.
+/// Returns the body of the model at a position on a named body, or in the world, and the centre of mass of
+/// that body in the drawing frame. `field` is the path of the position.
 ///
 /// # Errors
 /// As [`carrier`].
@@ -72,7 +72,7 @@ pub fn carrier_in_model<S: Quantity>(
 }
 
 impl<S: Quantity> FlexibleBody<S> {
-    /// The beam of a body, if it is one.
+    /// Returns the beam of a body; `None` if the body is rigid.
     pub fn read(name: &str, body: &schema::Body<S>) -> Result<Option<Self>, FieldError> {
         let Some(flexible) = &body.flexible else { return Ok(None) };
         let length = check(name, body, flexible)?;
@@ -107,12 +107,12 @@ impl<S: Quantity> FlexibleBody<S> {
         Err(FieldError::new(field, place[0], allowed))
     }
 
-    /// The segment at a position in the drawing frame; `field` is the path of its x.
+    /// Returns the segment at a position in the drawing frame; `field` is the path of its x.
     fn segment_at(&self, field: &str, place_m: [S; 3]) -> Result<usize, FieldError> {
         Ok(self.beam.segment_at(place_m[0] - self.start.0[0]).same(field)? as usize)
     }
 
-    /// The named points of the body, each with its segment and its position in the drawing frame.
+    /// Returns the named points of the body, each with its segment and its position in the drawing frame.
     pub fn points(&self, body: &schema::Body<S>) -> Result<Vec<(usize, String, Vector3<S>)>, FieldError> {
         let point = |(name, point): (&schema::Name, &schema::Point<S>)| {
             let field = format!("bodies.{}.points.{name}.position_m.0", self.name);
@@ -121,12 +121,13 @@ impl<S: Quantity> FlexibleBody<S> {
         body.points.iter().map(point).collect()
     }
 
-    /// A segment's centre of mass in the drawing frame, m.
+    /// Returns the centre of mass of a segment in the drawing frame, m.
     pub fn centre(&self, segment: usize) -> Vector3<S> {
         self.start + Vector3([self.beam.segment_middle(segment), S::ZERO, S::ZERO])
     }
 
-    /// The segment as a body: the first with the body's own joint and parent, the others attached to the one before.
+    /// Returns the segment as a body: the first one with the joint and the parent of the flexible body, each
+    /// other one attached to the segment before it.
     pub fn describe(
         &self,
         segment: usize,
@@ -143,12 +144,12 @@ impl<S: Quantity> FlexibleBody<S> {
         format!("{}.{segment}", self.name)
     }
 
-    /// Number of segments after the first.
+    /// Returns the number of elastic joints: one before each segment except the first.
     pub fn joints(&self) -> usize {
         self.beam.pieces
     }
 
-    /// The elastic joint before a segment.
+    /// Returns the elastic joint before a segment.
     pub fn joint(&self, segment: usize) -> Joint<S> {
         let joint = self.start + Vector3([self.beam.joint(segment), S::ZERO, S::ZERO]);
         let placement = Frame { rotation: Matrix3::identity(), position: joint - self.centre(segment - 1) };
@@ -156,7 +157,8 @@ impl<S: Quantity> FlexibleBody<S> {
         Joint { name: self.segment_name(segment), kind, mode: MotionType::Free }
     }
 
-    /// Springs and dampers of an elastic joint whose coordinates begin at these indices in q and v.
+    /// Returns the springs and dampers of an elastic joint whose coordinates start at these indices in q and
+    /// v.
     pub fn forces(&self, position: usize, coordinate: usize) -> impl Iterator<Item = AnyElement<S>> {
         let time = self.damping_time;
         let damped = !time.vanishes();
@@ -179,13 +181,17 @@ fn length<S: Leaf>(body: &schema::Body<S>) -> Option<S> {
     Some(length.get())
 }
 
-/// The length, and the checks that the types do not make.
+/// Returns the length, after the checks that the types do not make.
 fn check<S: Quantity>(name: &str, body: &schema::Body<S>, flexible: &Flexible<S>) -> Result<S, FieldError> {
     let error = |field: &str, found: String, allowed: &str| {
         Err(FieldError::new(format!("bodies.{name}.{field}"), found, allowed))
     };
     if body.inertia.is_some() {
-        return error("inertia", "an inertia of a flexible body".to_owned(), "none: its section and length give it");
+        return error(
+            "inertia",
+            "an inertia of a flexible body".to_owned(),
+            "none: it follows from section and length",
+        );
     }
     if !(1..=MOST_SEGMENTS).contains(&flexible.segments) {
         return error("flexible.segments", flexible.segments.to_string(), "a whole number from 1 to 64");
@@ -236,7 +242,7 @@ fn section<S: Quantity>(flexible: &Flexible<S>, poissons_ratio: S) -> Section<S>
     }
 }
 
-/// Damping over stiffness, s: 2 ratio / (2 pi frequency).
+/// Returns the ratio of damping to stiffness, s: 2 ratio / (2 pi frequency).
 fn damping_time<S: Quantity>(flexible: &Flexible<S>) -> S {
     match &flexible.damping {
         None => S::ZERO,
@@ -247,7 +253,8 @@ fn damping_time<S: Quantity>(flexible: &Flexible<S>) -> S {
     }
 }
 
-/// The drawn shape of a body or a segment: the body's shape, cut to the segment's length and its cross-section.
+/// Returns the shape for drawing a body or a segment: the body's shape, cut to the length and the
+/// cross-section of the segment.
 pub fn shape(body: &schema::Body, segment: usize) -> Option<schema::Shape> {
     let (Some(flexible), Some(length)) = (&body.flexible, length(body)) else { return body.shape.clone() };
     let at_an_end = segment == 0 || segment as u64 == flexible.segments;

@@ -8,7 +8,7 @@ use crate::scenario::leaf::Quantity;
 /// A body's node and its revolute joint.
 type Hinged<'a, S> = (&'a Node<S>, &'a Revolute<S>);
 
-/// The revolute joint with this name, of a drum or a slewing crane; `None` if it does not exist.
+/// Returns the revolute joint of a drum or a slewing crane with this name; `None` if it does not exist.
 pub(crate) fn hinge<'a, S: Quantity>(
     scenario: &Scenario<S>,
     field: &str,

@@ -1,4 +1,4 @@
-//! The limits that a run is checked against.
+//! Limits against which the results of a run are checked.
 
 use super::super::schema::{self, Scenario};
 use super::FieldError;
@@ -6,7 +6,7 @@ use super::columns;
 use crate::scenario::leaf::Quantity;
 use crate::simulation::{Limit, Setup};
 
-/// The limits that are enabled.
+/// Returns the enabled limits.
 pub fn of<S: Quantity>(scenario: &Scenario<S>, setup: &Setup<S>) -> Result<Vec<Limit>, FieldError> {
     let known = columns::of(setup);
     let one = |(name, given): (&schema::Name, &schema::Limit)| {
@@ -21,7 +21,7 @@ pub fn of<S: Quantity>(scenario: &Scenario<S>, setup: &Setup<S>) -> Result<Vec<L
     scenario.limits.iter().filter(|(_, limit)| limit.enabled).map(one).collect()
 }
 
-/// The smallest and the largest value that are allowed.
+/// Returns the lower and the upper bound.
 fn bounds(name: &str, given: &schema::Limit) -> Result<[Option<f64>; 2], FieldError> {
     let schema::Limit { at_least, at_most, within, .. } = given;
     let field = format!("limits.{name}");

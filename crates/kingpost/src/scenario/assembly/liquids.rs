@@ -1,4 +1,5 @@
-//! Parts that U-tanks and free-flooding tanks share: their liquid is a body that the scenario gives as a force.
+//! Parts that U-tanks and free-flooding tanks share: the liquid is a body, although the scenario gives the
+//! tank as a force.
 
 use crate::elements::{AnyElement, JointStop, StopSide};
 use crate::model::{BodyDefinition, Joint, JointKind, MotionType, Node};
@@ -7,20 +8,21 @@ use crate::scenario::leaf::Quantity;
 use crate::scenario::schema::{self, Scenario};
 use crate::spatial::SpatialInertia;
 
-/// Stiffness of the end of a tank over that of the levels: the liquid meets it as a stop.
+/// Stiffness of the stop at the end of a tank, as a ratio to the stiffness of the levels.
 const STOP: f64 = 50.0;
-/// Dissipation of that stop, s/m.
+/// Dissipation of this stop, s/m.
 const STOP_DISSIPATION: f64 = 0.5;
 
 /// The liquid of a tank for the tree of bodies.
 pub(crate) struct LiquidBody<S> {
     pub definition: BodyDefinition<S>,
-    /// Position of its joint at the start.
+    /// Position of its joint at the start of the run.
     pub position: S,
     pub rotor_inertia: S,
 }
 
-/// The liquid of the tank of this name on a joint of the same name, which is held if the liquid is frozen.
+/// Returns the liquid of the tank as a body on a joint, both with the tank's name; if the liquid is frozen,
+/// the joint is held.
 pub(crate) fn definition<S: Quantity>(
     name: &str,
     parent: usize,
@@ -33,8 +35,8 @@ pub(crate) fn definition<S: Quantity>(
     BodyDefinition { name: name.to_owned(), parent: Some(parent), joint, mass, inertia, points: Vec::new() }
 }
 
-/// The stops at the lower and the upper end of the levels, m, for the stiffness of the levels, N/m; the joint turns by `turn`
-/// for a metre.
+/// Returns the stops at the lower and the upper end of the levels, m; `stiffness` is that of the levels, N/m,
+/// and `turn` the joint's coordinate per metre of level.
 pub(crate) fn stops<S: Quantity>(node: &Node<S>, ends: [S; 2], stiffness: S, turn: S) -> [AnyElement<S>; 2] {
     let stop = |side: StopSide, end: S| -> AnyElement<S> {
         Box::new(JointStop {
@@ -61,7 +63,7 @@ pub(crate) fn check_name<S: Quantity>(scenario: &Scenario<S>, name: &str) -> Res
     Ok(())
 }
 
-/// An error unless a value is less than its limit.
+/// Returns an error unless a value is less than its limit.
 pub(crate) fn less<S: Quantity>(field: &str, value: S, limit: S, what: &str) -> Result<(), FieldError> {
     if (limit - value).all(|left| left > 0.0) {
         return Ok(());

@@ -1,5 +1,5 @@
-//! Closed loops: their attachments, whether their constraints are independent, and whether they can be closed from the
-//! start.
+//! Closed loops: their attachments, and checks that their constraints are independent and can be satisfied at
+//! the start.
 
 use super::super::schema::{self, Scenario};
 use super::flexible::carrier_in_model;
@@ -12,7 +12,7 @@ use crate::scenario::leaf::Quantity;
 use crate::simulation::Setup;
 use crate::spatial::{Frame, Vector3, rotation_from_roll_pitch_yaw};
 
-/// The model with the loops that are enabled, between bodies that exist.
+/// Returns the model with the enabled loops between enabled bodies.
 pub fn build<S: Quantity>(scenario: &Scenario<S>, model: Model<S>) -> Result<Model<S>, FieldError> {
     let mut loops = Vec::new();
     for (name, given) in &scenario.loops {
@@ -41,7 +41,7 @@ pub fn build<S: Quantity>(scenario: &Scenario<S>, model: Model<S>) -> Result<Mod
     Ok(model.with_loops(loops))
 }
 
-/// An attachment relative to the centre of mass of its body.
+/// Returns an attachment relative to the centre of mass of its body.
 fn attachment<S: Quantity>(
     scenario: &Scenario<S>,
     model: &Model<S>,
@@ -54,7 +54,7 @@ fn attachment<S: Quantity>(
     Ok(Attachment::on(body, Frame { rotation, position }))
 }
 
-/// The constraints as types of the engine, with their names.
+/// Returns the constraints as types of the engine, with their names.
 fn constraints<S: Quantity>(given: &schema::Loop<S>) -> Vec<(String, Constraint<S>)> {
     let turn = |constraint: &schema::Constraint<S>| match constraint {
         schema::Constraint::Roll => Some(RotationAxis::Roll),
@@ -78,11 +78,12 @@ fn constraints<S: Quantity>(given: &schema::Loop<S>) -> Vec<(String, Constraint<
     given.constraints.iter().map(constraint).collect()
 }
 
-/// Moves the initial state so that the loops are closed, and its velocities so that they stay closed.
+/// Changes the initial positions so that the loops are closed, and the initial velocities so that they stay
+/// closed.
 ///
 /// # Errors
-/// A gap larger than the scenario allows, a constraint that follows from others or moves nothing, a loop that cannot be
-/// closed.
+/// A gap larger than the scenario allows, a constraint that depends on others or that no coordinate affects,
+/// a loop that cannot be closed.
 pub fn close<S: Quantity>(scenario: &Scenario<S>, setup: &mut Setup<S>) -> Result<(), FieldError> {
     let Setup { model, q, v, .. } = setup;
     if model.loops.is_empty() {
@@ -90,7 +91,7 @@ pub fn close<S: Quantity>(scenario: &Scenario<S>, setup: &mut Setup<S>) -> Resul
     }
     let (mut links, mut work, mut loads) = (LinkKinematics::new(model), Workspace::new(model), Loads::new(model));
     let mut solver = LoopSolver::new(model, 0);
-    // Ropes are placed after the loops are closed.
+    // Ropes are initialised after the loops are closed.
     let hold = &mut |_: &LinkKinematics<S>, _: &[S], _: &[S], _: &mut [UnilateralConstraint<S>]| {};
     let mut on = Projection { model, links: &mut links, work: &mut work, loads: &mut loads, hold };
     solver.begin_at(&mut on, q, v);
@@ -105,7 +106,7 @@ pub fn close<S: Quantity>(scenario: &Scenario<S>, setup: &mut Setup<S>) -> Resul
     Err(FieldError::new(format!("loops.{name}"), found, "lengths and a start from which the loop closes"))
 }
 
-/// Checks that the gap at the start may be closed.
+/// Checks that the gap at the start is not larger than the scenario allows.
 fn check_start<S: Quantity>(scenario: &Scenario<S>, model: &Model<S>, rows: &[Row<S>]) -> Result<(), FieldError> {
     let mut rows = rows.iter();
     for closed in &model.loops {
@@ -124,7 +125,7 @@ fn check_start<S: Quantity>(scenario: &Scenario<S>, model: &Model<S>, rows: &[Ro
     Ok(())
 }
 
-/// Checks that no constraint follows from those before it or moves nothing.
+/// Checks that each constraint is independent of those before it and that some coordinate affects it.
 fn check_independence<S: Quantity>(model: &Model<S>, solver: &LoopSolver<S>) -> Result<(), FieldError> {
     let Some(dependent) = solver.factor().dependent() else { return Ok(()) };
     let all = model.constraint_names();
@@ -137,20 +138,21 @@ fn check_independence<S: Quantity>(model: &Model<S>, solver: &LoopSolver<S>) -> 
     let others: Vec<&str> = solver.factor().depends_on(dependent).into_iter().map(|i| all[i].as_str()).collect();
     let why = match others.as_slice() {
         [] => "which no free coordinate can change".to_owned(),
-        others => format!("which follows from {}", others.join(", ")),
+        others => format!("which depends on {}", others.join(", ")),
     };
     let found = format!("{}, {why}", closed.constraints[own].0);
-    let allowed = "constraints of which none depends on the others: leave this one out";
+    let allowed = "independent constraints: omit this one";
     Err(FieldError::new(format!("loops.{}.constraints.{own}", closed.name), found, allowed))
 }
 
-/// The loops that are open, and by how much.
+/// Returns the open loops with their gaps.
 fn gaps<S: Quantity>(model: &Model<S>, rows: &[Row<S>]) -> Vec<(String, String)> {
     let mut rows = rows.iter();
     let mut open = Vec::new();
     for closed in &model.loops {
         let own: Vec<Row<S>> = rows.by_ref().take(closed.constraints.len()).copied().collect();
-        // m and rad: a nanometre, above rounding of places up to 1e6 m, and far below what any drawing gives.
+        // m and rad: one nanometre. It exceeds the rounding of positions up to 1e6 m, and is far below the
+        // accuracy of a drawing.
         if !own.iter().all(|row| row.residual.all(|gap| gap.abs() < 1e-9)) {
             open.push((closed.name.clone(), worded(closed, &own)));
         }
@@ -158,7 +160,7 @@ fn gaps<S: Quantity>(model: &Model<S>, rows: &[Row<S>]) -> Vec<(String, String)>
     open
 }
 
-/// `0.2500 m in x, -0.0100 rad in roll`.
+/// Returns the gap as text: `0.2500 m in x, -0.0100 rad in roll`.
 fn worded<S: Quantity>(closed: &Loop<S>, rows: &[Row<S>]) -> String {
     let one = |((name, constraint), row): (&(String, Constraint<S>), &Row<S>)| {
         format!("{:.4} {} in {name}", row.residual, constraint.unit())

@@ -1,4 +1,4 @@
-//! Builds the setup of a simulation from a scenario, with every check that needs more than one field.
+//! Builds the setup of a simulation from a scenario, with every check that needs several fields.
 
 pub(crate) mod assemble;
 pub(crate) mod attachments;
@@ -50,10 +50,11 @@ use assemble::{Assemble, Surroundings};
 use indexmap::IndexMap;
 pub use sea_spectra::{SeaSpectrum, SeaWaves, read_sea_waves};
 
-/// Largest count of numbers that one run may record, 8 bytes each: more would not fit in an ordinary machine.
+/// Largest number of values that one run records, 8 bytes each: more do not fit in the memory of an ordinary
+/// machine.
 const MOST_NUMBERS: f64 = 2.5e8;
 
-/// Largest number of steps of one run: beyond it the time would no longer be exact.
+/// Largest number of steps of one run: beyond it the time is no longer exact.
 const MOST_STEPS: f64 = 1e15;
 
 /// Builds the model, forces, drives, settings and initial state, and checks all numbers.
@@ -82,7 +83,7 @@ pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
 /// separate setups.
 ///
 /// # Errors
-/// A number that decides the structure of the run but differs between lanes or has a derivative: its field.
+/// A field whose number determines the structure of the run, but differs between lanes or has a derivative.
 pub fn assemble<S: Quantity>(scenario: &Scenario<S>, alone: &[&Setup]) -> Result<Setup<S>, FieldError> {
     let mut setup = open(scenario)?;
     loops::close(scenario, &mut setup)?;
@@ -96,7 +97,7 @@ pub fn assemble<S: Quantity>(scenario: &Scenario<S>, alone: &[&Setup]) -> Result
     Ok(setup)
 }
 
-/// Builds the setup over another scalar before its closed loops are closed.
+/// Builds the setup over another scalar, with its closed loops still open.
 fn open<S: Quantity>(scenario: &Scenario<S>) -> Result<Setup<S>, FieldError> {
     let settings = settings(&scenario.simulation)?;
     let world = world::build(scenario)?;
@@ -147,10 +148,11 @@ fn settings(given: &schema::SimulationSettings) -> Result<Settings, FieldError> 
     Ok(Settings { scheme, step_s, duration_s, record_every_s, rate_limit, form })
 }
 
-/// Smallest share of a step that largest_step_s may be: with smaller ones a step would hardly end.
+/// Smallest value of largest_step_s, as a share of the step: with smaller values a step would take too long
+/// to compute.
 const LEAST_SHARE: f64 = 1e-3;
 
-/// The integrator with its settings.
+/// Returns the integrator with its settings.
 fn scheme(given: &schema::SimulationSettings) -> Result<SchemeName, FieldError> {
     Ok(match given.integrator {
         Integrator::ForwardEuler => SchemeName::ForwardEuler,
@@ -188,7 +190,7 @@ fn scheme(given: &schema::SimulationSettings) -> Result<SchemeName, FieldError> 
     })
 }
 
-/// Checks that the recording fits in memory.
+/// Checks that the recorded values fit in memory.
 fn check_recording(setup: &Setup) -> Result<(), FieldError> {
     let Settings { duration_s, record_every_s, .. } = setup.settings;
     let columns = Channels::new(&setup.model, &Layout::new(&setup.elements, 0)).columns();
@@ -200,7 +202,7 @@ fn check_recording(setup: &Setup) -> Result<(), FieldError> {
     Ok(())
 }
 
-/// Checks that a run makes no matrix of more coordinates than fit in memory.
+/// Checks that all matrices of the coordinates fit in memory.
 fn check_size(setup: &Setup) -> Result<(), FieldError> {
     let (Settings { scheme, form, .. }, count) = (setup.settings, setup.model.velocity_count);
     let by_matrices = [
@@ -214,14 +216,14 @@ fn check_size(setup: &Setup) -> Result<(), FieldError> {
     Err(FieldError::new(field, found, format!("at most {MOST_DENSE} with matrices; {other} has none")))
 }
 
-/// Checks that the first row is finite: numbers beyond 1e308 overflow, and so do squares beyond 1e154.
+/// Checks that the first row is finite: values beyond 1e308 overflow, and squares of values beyond 1e154.
 fn check_numbers(scenario: &Scenario, setup: &Setup) -> Result<(), FieldError> {
     let mut simulation = Simulation::recursive(setup.clone());
     let mut row = Vec::new();
     simulation.write_row(&mut row);
     let columns = simulation.channels().iter().flat_map(|channel| &channel.columns);
     let bad: Vec<(&String, f64)> = columns.zip(row).filter(|(_, value)| !value.is_finite()).collect();
-    // The outputs of an element lead closest to the number that is too large.
+    // The outputs of elements show best which number is too large: they are searched before those of bodies.
     let owner = |names: Vec<&str>, of: &str| {
         let first = |(column, _): &&(&String, f64)| names.iter().any(|name| column.split('.').next() == Some(name));
         bad.iter().find(first).map(|found| (format!("{of}.{}", found.0.split('.').next().unwrap_or_default()), *found))
@@ -231,14 +233,14 @@ fn check_numbers(scenario: &Scenario, setup: &Setup) -> Result<(), FieldError> {
         .or_else(|| owner(scenario.sensors.keys().map(|name| name.as_str()).collect(), "sensors"))
         .or_else(|| owner(scenario.controllers.keys().map(|name| name.as_str()).collect(), "controllers"))
         .or_else(|| owner(scenario.bodies.keys().map(|name| name.as_str()).collect(), "bodies"))
-        // Only the energy is too large: that stored in a force.
+        // Only an energy is too large: the one stored in a force.
         .or_else(|| bad.first().map(|found| ("forces".to_owned(), *found)));
     let Some((field, (column, value))) = named else { return Ok(()) };
     let found = format!("numbers that make {column} {value} at the start");
     Err(FieldError::new(field, found, "smaller numbers, with which all outputs are finite"))
 }
 
-/// The elements of the entries of a section, in the order of the file.
+/// Returns the elements of all entries of a section, in the order of the file.
 fn assembled<S: Quantity, K: Assemble<S>>(
     entries: &IndexMap<Name, K>,
     at: Surroundings<'_, S>,
@@ -250,7 +252,7 @@ fn assembled<S: Quantity, K: Assemble<S>>(
     Ok(elements)
 }
 
-/// An error unless `found` is one of `names`.
+/// Returns an error unless `found` is one of `names`.
 pub(crate) fn known<'a>(field: &str, found: &str, names: impl Iterator<Item = &'a str>) -> Result<(), FieldError> {
     let names: Vec<&str> = names.collect();
     if names.contains(&found) {
@@ -259,7 +261,7 @@ pub(crate) fn known<'a>(field: &str, found: &str, names: impl Iterator<Item = &'
     Err(FieldError::new(field, found, format!("one of {}", names.join(", "))))
 }
 
-/// Checks that all positions are finite: sums and squares of a joint's numbers may be infinite or NaN.
+/// Checks that all positions are finite: sums and squares of a joint's numbers can be infinite or NaN.
 fn check_places(model: &Model, links: &LinkKinematics) -> Result<(), FieldError> {
     for (body, named) in model.bodies.iter().enumerate() {
         let Frame { rotation, position } = links.body_frame(model, body);
@@ -271,8 +273,8 @@ fn check_places(model: &Model, links: &LinkKinematics) -> Result<(), FieldError>
     Ok(())
 }
 
-/// Checks that M* is positive definite at the start: a coordinate that moves no mass, or masses too far apart for the
-/// arithmetic, would give infinite or NaN accelerations.
+/// Checks that M* is positive definite at the start: a coordinate that moves no mass, or masses of very
+/// different size, would give infinite or NaN accelerations.
 fn check_mass_matrix(scenario: &Scenario, setup: &Setup) -> Result<(), FieldError> {
     let Setup { model, q, v, .. } = setup;
     let mut links = LinkKinematics::new(model);

@@ -1,4 +1,4 @@
-//! The energy of a scenario's sea over frequency and direction, whatever a seed draws of it.
+//! Directional wave spectra of a scenario's sea, independent of the seed.
 
 use crate::scenario::assembly::FieldError;
 use crate::scenario::assembly::still_water::{gravity, water_of};
@@ -12,10 +12,10 @@ use indexmap::IndexMap;
 use serde::Serialize;
 use serde_json::Value;
 
-/// The wave systems of a sea by name, as a scenario has them.
+/// Wave systems of a sea by name, as in the scenario.
 pub type SeaWaves = IndexMap<Name, Waves>;
 
-/// Reads wave systems from a value, as `sea.waves` of a file.
+/// Reads wave systems from a value with the form of `sea.waves` in a file.
 ///
 /// # Errors
 /// The first field that is unknown, missing or out of its range.
@@ -24,31 +24,33 @@ pub fn read_sea_waves(value: &Value) -> Result<SeaWaves, ScenarioError> {
     reading::read(&tree).map_err(|fault| ScenarioError::from(fault.error))
 }
 
-/// The energy of one wave system.
+/// Spectrum of one wave system.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SeaSpectrum {
-    /// Its name in the scenario.
+    /// Name of the wave system in the scenario.
     pub name: String,
-    /// Directions that it goes to, each with the same share of the energy: of a long-crested sea its own alone, rad.
+    /// Propagation directions, each with the same share of the energy, rad; one direction if the system is
+    /// long-crested.
     pub directions_rad: Vec<f64>,
-    /// The lowest and the highest frequency that its waves have, rad/s; none for waves of single frequencies.
+    /// Lowest and highest frequency of the waves, rad/s; `None` for waves of single frequencies.
     pub band_rad_s: Option<[f64; 2]>,
     /// Frequencies where the density changes its form, rad/s.
     pub nodes_rad_s: Vec<f64>,
-    /// Density of the elevation's variance at each frequency that was asked for, m^2 s/rad; 0 outside the band.
+    /// Spectral density of the elevation at each requested frequency, m^2 s/rad; 0 outside the band.
     pub density_m2_s: Vec<f64>,
-    /// Variance of the elevation, m^2, at frequencies that were not asked for too.
+    /// Variance of the elevation over all frequencies, m^2.
     pub variance_m2: f64,
     /// Waves of single frequencies: angular frequency, rad/s, direction, rad, and variance of the elevation, m^2.
     pub lines: Vec<[f64; 3]>,
 }
 
 impl Scenario {
-    /// The energy of each wave system that runs: as a run's waves are drawn from it, by the mean over all seeds. `waves` stand
-    /// for those of the scenario; a system that is spread is cut into so many directions.
+    /// Returns the spectrum of each enabled wave system, as the mean over all seeds. `waves` replaces the
+    /// wave systems of the scenario; a short-crested system is divided into `directions` directions of equal
+    /// energy.
     ///
     /// # Errors
-    /// Waves that no sea has.
+    /// A wave system that is not valid.
     pub fn sea_spectra(
         &self,
         waves: &SeaWaves,

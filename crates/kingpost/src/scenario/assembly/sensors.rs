@@ -1,4 +1,4 @@
-//! Wires from the outputs of sensors to inputs.
+//! Wires that connect outputs of sensors to inputs.
 
 use crate::elements::{AnyElement, Layout};
 use crate::scenario::assembly::FieldError;
@@ -6,18 +6,19 @@ use crate::scenario::leaf::Quantity;
 use crate::scenario::schema::{Drive, Scenario, SetsInputs};
 use crate::scenario::wording::one_of_with_hint;
 
-/// The input that a servo adds to its target; it exists if a wire leads to it.
+/// Returns the name of the input whose value a servo adds to its target; the input exists if a wire is
+/// connected to it.
 pub fn offset_of(drive: &str) -> String {
     format!("{drive}.target_offset")
 }
 
-/// Whether a wire or a controller leads to an input.
+/// Returns whether a wire or a controller sets an input.
 pub fn leads_to<S>(scenario: &Scenario<S>, input: &str) -> bool {
     let wired = || scenario.wires.values().any(|wire| wire.enabled && *wire.to == *input);
     scenario.controllers.values().any(|one| one.targets().iter().any(|(_, to)| *to == input)) || wired()
 }
 
-/// The wires that are enabled, as an input and the signal that it takes.
+/// Returns the enabled wires, each as an input and the signal to which it is connected.
 pub fn wires<S: Quantity>(
     scenario: &Scenario<S>,
     elements: &[AnyElement<S>],
@@ -51,7 +52,7 @@ pub fn wires<S: Quantity>(
     Ok(wires)
 }
 
-/// An error for the name of an input that does not exist.
+/// Returns the error for the name of an input that does not exist.
 pub fn no_input<S>(scenario: &Scenario<S>, layout: &Layout, field: String, found: &str) -> FieldError {
     let offsets: Vec<String> = scenario.drives.iter().filter_map(|(name, drive)| offset(name, drive)).collect();
     let inputs = layout.inputs.iter().map(|input| &input.name).filter(|input| !offsets.contains(input));
@@ -59,12 +60,13 @@ pub fn no_input<S>(scenario: &Scenario<S>, layout: &Layout, field: String, found
     FieldError::new(field, found, allowed(&names, found, "a drive with an input"))
 }
 
-/// Returns the words for the names that are allowed; `none` is what the scenario lacks if there are no names.
+/// Returns the allowed names as text for an error message. If `names` is empty, the text is that the scenario
+/// does not have `none`, for example a drive with an input.
 pub fn allowed(names: &[&str], found: &str, none: &str) -> String {
     if names.is_empty() { format!("none: the scenario does not have {none}") } else { one_of_with_hint(names, found) }
 }
 
-/// The offset input of a servo that is enabled.
+/// Returns the name of the offset input of an enabled servo.
 fn offset<S>(name: &str, drive: &Drive<S>) -> Option<String> {
     let acts = match drive {
         Drive::Servo(servo) => servo.enabled,

@@ -5,8 +5,9 @@ use crate::scenario::assembly::FieldError;
 use crate::scenario::ties::{stations, tied_to_the_world};
 use crate::simulation::Setup;
 
-/// Checks that a hull with `wave_pressure` is held in position. The mean pressure over the mesh is only one part of the
-/// second-order drift; without the other parts, which partly balance it, a free hull would drift away and turn.
+/// Checks that a hull with `wave_pressure` is held in position. The mean pressure over the mesh is only one
+/// part of the second-order drift force. The other parts, which partly balance it, are not modelled, so a
+/// free hull would drift away and turn.
 pub fn check(setup: &Setup) -> Result<(), FieldError> {
     let kept = tied_to_the_world(&setup.model, stations(&setup.elements));
     let mut pressed = Hull::among(&setup.elements).filter(|hull| hull.wave_pressure.is_some());

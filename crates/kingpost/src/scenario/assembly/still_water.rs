@@ -1,4 +1,4 @@
-//! The sea's water and the gravity that keeps it level.
+//! Water of the sea, and the gravity that keeps its surface level.
 
 use crate::elements::gravity::assembly::gravity_of;
 use crate::scenario::assembly::FieldError;
@@ -6,7 +6,7 @@ use crate::scenario::leaf::Quantity;
 use crate::scenario::schema::{self, Scenario};
 use crate::sea::waves::Water;
 
-/// The water of the sea and its waves.
+/// Returns the water of the sea and its waves.
 pub(crate) fn water_of<S: Quantity>(
     sea: &schema::Sea<S>,
     density_kg_m3: f64,
@@ -17,7 +17,7 @@ pub(crate) fn water_of<S: Quantity>(
     water.map_err(|error| FieldError::new(format!("sea.{}", error.field), error.found, error.allowed))
 }
 
-/// Acceleration of gravity, without which no sea is level, and the field of the first `gravity` that is enabled.
+/// Returns the acceleration of gravity, which a sea needs, and the field of the first enabled `gravity`.
 pub(crate) fn gravity<S: Quantity>(scenario: &Scenario<S>) -> Result<(S, String), FieldError> {
     let acting = scenario.forces.iter().filter_map(|(name, force)| {
         let gravity = gravity_of(force).filter(|gravity| gravity.enabled)?;

@@ -1,4 +1,4 @@
-//! Watchers of the joints and closed loops of a run, of the gaps between hulls, and of its energy.
+//! Watchers of joints and closed loops, of the gaps between hulls, and of the energy.
 
 use crate::elements::hull::HullGap;
 use crate::elements::{AnyWatcher, Hull, Pendant, Rod};
@@ -6,7 +6,7 @@ use crate::ledger::EnergyBalance;
 use crate::model::{Attachment, Constraint, Loop, Model, MotionType};
 use crate::simulation::Setup;
 
-/// Watchers of joints and loops that stand for ropes, of every pair of hulls, and of the energy.
+/// Returns the watchers: of joints and loops that represent ropes, of every pair of hulls, and of the energy.
 pub fn of(setup: &Setup) -> Vec<AnyWatcher> {
     let Setup { model, world, elements, .. } = setup;
     let supports = elements.iter().flat_map(|element| element.supports());
@@ -24,7 +24,7 @@ pub fn of(setup: &Setup) -> Vec<AnyWatcher> {
     pendants.chain(rods).chain(gaps(model, &hulls)).chain([energy]).collect()
 }
 
-/// Each hull has its own hydrodynamics, without interaction.
+/// The hydrodynamics of a hull neglects the interaction with other hulls.
 fn gaps<'a>(model: &'a Model, hulls: &'a [&'a Hull]) -> impl Iterator<Item = AnyWatcher> + 'a {
     let of = |hull: &Hull| (model.bodies[hull.frame.body].name.as_str(), hull.plan);
     let pairs =
@@ -33,7 +33,8 @@ fn gaps<'a>(model: &'a Model, hulls: &'a [&'a Hull]) -> impl Iterator<Item = Any
     pairs.map(move |pair| -> AnyWatcher { Box::new(HullGap::new(pair.map(|hull| of(hull)))) })
 }
 
-/// Whether a body without children swings freely about a point of its parent away from its centre, without a spring.
+/// Returns whether a body without children swings freely, without a spring, about a point of its parent that
+/// is not its centre of mass.
 fn hangs(model: &Model, springs: &[usize], body: usize) -> bool {
     let node = &model.tree.nodes[body];
     let own = node.velocities..node.velocities + node.kind.velocity_count();

@@ -1,4 +1,4 @@
-//! Bodies that move with the waves by their RAOs.
+//! Bodies whose motion in waves is prescribed by RAOs.
 
 use crate::elements::drives::WaveMotion;
 use crate::elements::hull::assembly::check_coverage;
@@ -14,7 +14,7 @@ use crate::world::World;
 /// Mode of each coordinate of the joint: x, y, z, yaw, pitch, roll.
 const MODE_OF: [usize; 6] = [0, 1, 2, 5, 4, 3];
 
-/// The motions of the bodies that exist and move by RAOs.
+/// Returns the motions of the enabled bodies that RAOs prescribe.
 pub fn build<S: Quantity>(
     scenario: &Scenario<S>,
     model: &Model<S>,
@@ -44,13 +44,15 @@ pub fn build<S: Quantity>(
     Ok(motions)
 }
 
-/// Whether rotations of a table are likely in the other unit than its file says, by the longest waves on the world's water.
+/// Returns the unit that a table's rotations probably have if it differs from the one in its file; judged by
+/// the longest waves, in the world's water.
 pub fn other_unit<S: Quantity>(table: &RaoTable, world: &World<S>) -> Option<OtherUnit> {
     table.other_unit(wave_number(table.band_rad_s()[0], &world.plain_water()))
 }
 
-/// X a of each coordinate in a wave, at the origin of the vessel's axes: the motion at the RAOs' own origin r is
-/// transferred as that of a rigid body, `X(0) = X(r) - theta x r`; the wave's phase is that at the phase origin.
+/// Returns the complex amplitude X a of each coordinate in a wave, at the origin of the vessel's axes: the
+/// motion at the RAOs' own origin r is transferred as that of a rigid body, `X(0) = X(r) - theta x r`; the
+/// wave's phase is that at the phase origin.
 fn response<S: Quantity>(
     table: &RaoTable,
     given: &schema::MovedByWaves<S>,

@@ -1,4 +1,4 @@
-//! The waves of the sea, drawn from its spectra.
+//! Waves of the sea, realised from its spectra.
 
 use crate::scenario::assembly::FieldError;
 use crate::scenario::assembly::still_water::{gravity, water_of};
@@ -9,24 +9,24 @@ use crate::sea::waves::{
     Torsethaugen, Water, WaveComponent, WaveError, WaveSystem, unbroken,
 };
 
-/// A wave of the sea: its amplitude may carry derivatives or differ between lanes; its other properties are part of the
-/// structure.
+/// A wave of the sea: its amplitude can carry derivatives or differ between lanes; its other properties
+/// belong to the structure.
 #[derive(Clone, Copy, Debug)]
 pub struct Wave<S> {
-    /// The wave, with the amplitude shared by all lanes or that of the first lane.
+    /// The wave, with the amplitude of all lanes, or of the first lane if they differ.
     pub of: WaveComponent,
     /// Amplitude, m.
     pub amplitude_m: S,
 }
 
 impl<S: Quantity> Wave<S> {
-    /// The wave as a type of the engine.
+    /// Converts the wave to a type of the engine.
     pub fn component(&self) -> WaveComponent<S> {
         WaveComponent { amplitude_m: self.amplitude_m, ..self.of.constant() }
     }
 }
 
-/// All components of all wave systems, in the order of the file.
+/// Returns all components of all wave systems, in the order of the file.
 pub fn build<S: Quantity>(scenario: &Scenario<S>, water: &Water) -> Result<Vec<Wave<S>>, FieldError> {
     let (mut components, seed) = (Vec::new(), scenario.simulation.seed);
     let systems = scenario.sea.iter().flat_map(|sea| &sea.waves);
@@ -48,19 +48,19 @@ pub fn build<S: Quantity>(scenario: &Scenario<S>, water: &Water) -> Result<Vec<W
     Ok(components)
 }
 
-/// Waves with plain amplitudes times a number that is 1 and carries the derivatives.
+/// Returns waves with plain amplitudes times a factor of 1 that carries the derivatives.
 fn constant<S: Quantity>(waves: Vec<WaveComponent>, scale: S) -> Vec<Wave<S>> {
     let wave = |of: WaveComponent| Wave { of, amplitude_m: S::constant(of.amplitude_m) * scale };
     waves.into_iter().map(wave).collect()
 }
 
-/// The path of a wave system.
+/// Path of a wave system.
 pub(crate) struct SystemField {
     path: String,
 }
 
 impl SystemField {
-    /// Returns the field of waves without a name.
+    /// Returns the path of waves without a name.
     pub(crate) fn of(waves: &Waves) -> Self {
         Self { path: format!("sea.waves.{}", waves.kind()) }
     }
@@ -73,7 +73,7 @@ impl SystemField {
         FieldError::new(self.field(&error.field), error.found, error.allowed)
     }
 
-    /// Returns the error of the waves of a spectrum, where some fields belong to the realisation.
+    /// Converts an error of a spectrum's waves; some of its fields belong to the realisation.
     pub(crate) fn of_realisation(&self, error: WaveError) -> FieldError {
         let of_realisation = OF_REALISATION.iter().any(|part| error.field.starts_with(part));
         let field = if of_realisation { format!("realisation.{}", error.field) } else { error.field };
@@ -81,11 +81,11 @@ impl SystemField {
     }
 }
 
-/// The fields that belong to the realisation.
+/// Fields that belong to the realisation.
 const OF_REALISATION: [&str; 4] = ["components", "spreading_exponent", "lowest_rad_s", "highest_rad_s"];
 
-/// The parts of spectra that a scenario cuts off: by the name of the waves, the significant height of the whole
-/// spectrum, m, and the share of its energy that is cut off.
+/// Returns the wave systems whose spectra are cut off: name of the waves, significant height of the whole
+/// spectrum, m, and share of the energy that is cut off.
 pub fn cut_off(scenario: &Scenario) -> Vec<(String, f64, f64)> {
     let Some(sea) = &scenario.sea else { return Vec::new() };
     let water = gravity(scenario).and_then(|gravity| water_of(sea, sea.density_kg_m3.get(), &gravity));
@@ -106,7 +106,7 @@ pub(crate) fn regular<S: Quantity>(wave: &schema::RegularWave<S>, water: &Water)
     if let Some(height) = height_m.outside(|height| unbroken("height_m", height, period_s.get(), water).is_ok()) {
         unbroken("height_m", height, period_s.get(), water)?;
     }
-    // Each lane's height must be valid for a wave; apart from it the waves are equal.
+    // The height must be valid in each lane; in all else the waves of the lanes are equal.
     match height_m.outside(|height| of(height).is_ok()) {
         Some(height) => of(height).map(|_| Vec::new()),
         None => Ok(vec![Wave { of: of(1.0)?, amplitude_m: S::constant(0.5) * height_m }]),
@@ -124,9 +124,10 @@ pub(crate) fn record<S: Quantity>(
     table.components(given.position_m, given.direction_rad, band, water)
 }
 
-/// The random sea of a spectrum, and the factor 1 that carries the derivatives of its amplitudes; `None` for other
-/// kinds of waves. The amplitudes of a spectrum with one peak are proportional to the significant height. Those with
-/// two peaks are not: their frequencies change with the heights.
+/// Returns the random sea of a spectrum, and the factor of 1 that carries the derivatives of its amplitudes;
+/// `None` for other kinds of waves. The amplitudes of a spectrum with one peak are proportional to the
+/// significant height. In a spectrum with two peaks they are not, because the peak frequencies depend on the
+/// heights.
 pub(crate) fn of_spectrum<S: Quantity>(
     waves: &Waves<S>,
     water: &Water,
@@ -191,7 +192,7 @@ fn drawn(spectrum: Spectrum, direction_rad: f64, given: &WaveRealisation) -> Res
     Ok(WaveSystem { spectrum, spreading, direction_rad, components: given.components, amplitudes, band })
 }
 
-/// The way in which amplitudes are drawn.
+/// Returns the way in which amplitudes are drawn.
 pub(crate) fn amplitudes(given: WaveAmplitudes) -> Amplitudes {
     match given {
         WaveAmplitudes::Deterministic => Amplitudes::Deterministic,
@@ -199,7 +200,7 @@ pub(crate) fn amplitudes(given: WaveAmplitudes) -> Amplitudes {
     }
 }
 
-/// The frequencies that are kept, if anything is cut off.
+/// Returns the band of frequencies that is kept, if the spectrum is cut off.
 fn band(lowest: Option<Positive>, highest: Option<Positive>) -> Option<Band> {
     (lowest.is_some() || highest.is_some()).then(|| Band {
         lowest_rad_s: lowest.map_or(0.0, |lowest| lowest.get()),

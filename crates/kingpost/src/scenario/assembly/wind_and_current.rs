@@ -1,4 +1,4 @@
-//! The wind with its gusts, and the current.
+//! Wind with its gusts, and current.
 
 use super::super::schema::{self, CurrentProfile as CurrentSchema, PowerLaw, Scenario};
 use super::FieldError;
@@ -11,7 +11,7 @@ use crate::world::{
     Current, CurrentProfile, CurrentTable, GustRealisation, GustSpectrum, Gusts, Wind, WindProfile, World,
 };
 
-/// The wind of a scenario, its gusts drawn.
+/// Returns the wind of a scenario, with one realisation of its gusts.
 pub fn wind<S: Quantity>(scenario: &Scenario<S>) -> Result<Option<Wind<S>>, FieldError> {
     let Some(given) = &scenario.wind else { return Ok(None) };
     let (sin, cos) = given.direction_rad.sin_cos();
@@ -31,7 +31,7 @@ pub fn wind<S: Quantity>(scenario: &Scenario<S>) -> Result<Option<Wind<S>>, Fiel
     }))
 }
 
-/// An error unless the reference height is 10 m, for a law of the wind at 10 m.
+/// Returns an error unless the reference height is 10 m: the profile refers to the wind at 10 m.
 fn check_ten_metres<S: Quantity>(given: &schema::Wind<S>) -> Result<(), FieldError> {
     let height = given.reference_height_m.get();
     if given.profile != schema::WindProfile::Npd || (height - S::constant(10.0)).vanishes() {
@@ -40,7 +40,8 @@ fn check_ten_metres<S: Quantity>(given: &schema::Wind<S>) -> Result<(), FieldErr
     Err(FieldError::new("wind.reference_height_m", height, "10, to which the profile npd refers"))
 }
 
-/// The anemometers, if there is wind: one on every floating body, or one in the world if there is none.
+/// Returns the anemometers, if there is wind: one on every floating body, or one in the world if no body
+/// floats.
 pub fn anemometers<S: Quantity>(world: &World<S>, model: &Model<S>, elements: &[AnyElement<S>]) -> Vec<AnyElement<S>> {
     let Some(wind) = &world.wind else { return Vec::new() };
     let mut bodies: Vec<Option<usize>> = Vec::new();
@@ -81,7 +82,7 @@ fn gusts<S: Quantity>(given: &schema::Wind<S>, seed: u64) -> Result<Option<Gusts
     gusts.map(Some).map_err(|error| FieldError::new(format!("wind.gusts.{}", error.field), error.found, error.allowed))
 }
 
-/// The current of a sea.
+/// Returns the current of a sea.
 pub fn current<S: Quantity>(sea: &schema::Sea<S>) -> Result<Current<S>, FieldError> {
     let [x, y] = sea.current_m_s;
     let of = |profile| Current { surface: Vector3::new(x, y, S::ZERO), profile };
@@ -91,7 +92,7 @@ pub fn current<S: Quantity>(sea: &schema::Sea<S>) -> Result<Current<S>, FieldErr
         CurrentSchema::Table(given) => {
             if !sea.current_m_s.into_iter().all(Quantity::vanishes) {
                 let found = format!("[{x}, {y}]");
-                let allowed = "nothing: the table of sea.current_profile has the current at the surface too";
+                let allowed = "nothing: the table of sea.current_profile also gives the current at the surface";
                 return Err(FieldError::new("sea.current_m_s", found, allowed));
             }
             let table = table(given, sea.depth_m.map(|depth| depth.get()))?;

@@ -8,7 +8,7 @@ use crate::scenario::schema::{self, Force as ForceSchema, Scenario};
 use crate::sea::waves::{Stretching, WaveField};
 use crate::world::World;
 
-/// The world of a scenario, its waves drawn.
+/// Builds the world of a scenario, with one realisation of its waves.
 pub fn build<S: Quantity>(scenario: &Scenario<S>) -> Result<World<S>, FieldError> {
     let sea = scenario.sea.clone().unwrap_or_default();
     Ok(World {
@@ -21,7 +21,8 @@ pub fn build<S: Quantity>(scenario: &Scenario<S>) -> Result<World<S>, FieldError
     })
 }
 
-/// The waves of the scenario's sea, where there are any. The water's density affects only their pressure.
+/// Returns the waves of the scenario's sea, if there are any. The water's density affects only their
+/// pressure.
 fn incident_waves<S: Quantity>(
     scenario: &Scenario<S>,
     sea: &schema::Sea<S>,
@@ -47,7 +48,7 @@ fn stretching(given: schema::Stretching) -> Stretching {
     }
 }
 
-/// Whether the pressure of the waves acts on a hull.
+/// Returns whether the pressure of the waves acts on a hull.
 fn press<S>(scenario: &Scenario<S>) -> bool {
     scenario.forces.values().any(|force| match force {
         ForceSchema::Hydrodynamics(given) => given.enabled && given.wave_pressure,

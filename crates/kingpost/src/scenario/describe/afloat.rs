@@ -1,4 +1,4 @@
-//! The sea and the hulls in it, to draw.
+//! Description of the sea and of the hulls, for drawing.
 
 use crate::elements::Hull;
 use crate::scenario::assembly::waves::cut_off;
@@ -22,7 +22,7 @@ pub struct SeaDescription {
     pub cut_spectra: Vec<CutSpectrum>,
 }
 
-/// A spectrum that is only partly in the sea.
+/// A wave spectrum that is partly cut off.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CutSpectrum {
@@ -66,7 +66,7 @@ pub struct MeshDescription {
     pub triangles: Vec<[usize; 3]>,
 }
 
-/// The sea, if the scenario has a sea or a hull.
+/// Describes the sea, if the scenario has a sea or a hull.
 pub fn sea(scenario: &Scenario, setup: &Setup) -> Option<SeaDescription> {
     if scenario.sea.is_none() && Hull::among(&setup.elements).next().is_none() {
         return None;
@@ -86,7 +86,7 @@ fn cut_spectra(scenario: &Scenario) -> Vec<CutSpectrum> {
     cut_off(scenario).into_iter().map(described).collect()
 }
 
-/// The hulls, in the order of results.
+/// Describes the hulls, in the order of results.
 pub fn hulls(scenario: &Scenario, setup: &Setup) -> Vec<HullDescription> {
     let described = Hull::among(&setup.elements).filter_map(|hull| {
         let water = scenario.hydrodynamics(&hull.name)?;
@@ -97,7 +97,7 @@ pub fn hulls(scenario: &Scenario, setup: &Setup) -> Vec<HullDescription> {
     described.collect()
 }
 
-/// Whether a body with this joint is a ship or floats like one.
+/// Returns whether the body of this joint is a ship or floats like one.
 pub fn floats(joint: &schema::Joint) -> bool {
     matches!(joint, schema::Joint::Floating(_) | schema::Joint::MovedByWaves(_))
 }

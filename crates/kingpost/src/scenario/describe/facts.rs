@@ -1,4 +1,4 @@
-//! The given data of forces, drives, sensors, controllers and prescribed motions, ready to print.
+//! Given data of forces, drives, sensors, controllers and prescribed motions, as text for printing.
 
 use crate::elements::significant;
 use crate::scenario::schema::{Joint, Scenario};
@@ -35,12 +35,12 @@ pub struct Fact {
     pub unit: &'static str,
 }
 
-/// Digits of a number.
+/// Number of significant digits.
 const DIGITS: usize = 6;
-/// Fields of a history; only the one that `history` names is used.
+/// Fields of a history; only the field that `history` names is used.
 const HISTORIES: [&str; 2] = ["pulse", "list"];
 
-/// The forces, the drives, the sensors and the controllers, in the order of the scenario.
+/// Describes the forces, drives, sensors and controllers, in the order of the scenario.
 pub fn elements(scenario: &Scenario) -> Vec<ElementDescription> {
     let forces = scenario.forces.iter().filter_map(|(name, force)| described(name.as_str(), "forces", force));
     let drives = scenario.drives.iter().filter_map(|(name, drive)| described(name.as_str(), "drives", drive));
@@ -50,7 +50,7 @@ pub fn elements(scenario: &Scenario) -> Vec<ElementDescription> {
     forces.chain(drives).chain(sensors).chain(controllers).collect()
 }
 
-/// The description of an entry that stands under its kind, as in a scenario file.
+/// Describes an entry that is written under its kind, as in a scenario file.
 fn described(name: &str, group: &'static str, tagged: &dyn ToValue) -> Option<ElementDescription> {
     let Value::Object(tagged) = tagged.to_value() else { return None };
     let (kind, Value::Object(fields)) = tagged.into_iter().next()? else { return None };
@@ -59,7 +59,7 @@ fn described(name: &str, group: &'static str, tagged: &dyn ToValue) -> Option<El
     Some(ElementDescription { name: name.to_owned(), group, kind: words(&kind), enabled, facts })
 }
 
-/// The given data of a joint's prescribed motions; empty if none is prescribed.
+/// Returns the given data of a joint's prescribed motions; empty if no motion is prescribed.
 pub fn prescribed(joint: &Joint) -> Vec<Fact> {
     let Value::Object(tagged) = joint.to_value() else { return Vec::new() };
     let Some(Value::Object(fields)) = tagged.into_iter().next().map(|(_, fields)| fields) else { return Vec::new() };
@@ -71,7 +71,7 @@ pub fn prescribed(joint: &Joint) -> Vec<Fact> {
     motion(&fields, "").into_iter().chain(of_axes.flatten()).collect()
 }
 
-/// The fields of an entry; nested fields begin with the name of the outer one.
+/// Returns the fields of an entry; the label of a nested field starts with the name of the outer field.
 fn facts(fields: &Map<String, Value>, lead: &str) -> Vec<Fact> {
     let history = fields.get("history").and_then(Value::as_str);
     let counts = |name: &str| name != "enabled" && (!HISTORIES.contains(&name) || history == Some(name));
@@ -88,7 +88,7 @@ fn facts(fields: &Map<String, Value>, lead: &str) -> Vec<Fact> {
     all
 }
 
-/// A label after the name of its outer field, which it does not repeat.
+/// Returns a label preceded by the name of its outer field; a word that both share is not repeated.
 fn led_by(lead: &str, label: &str) -> String {
     if lead == label || lead.ends_with(&format!(" {label}")) {
         return lead.to_owned();

@@ -1,4 +1,4 @@
-//! Submerged objects, with the coefficients that act on them as they enter the water upright.
+//! Submerged objects, with the coefficients that act on them during upright entry into the water.
 
 use crate::elements::Submerged;
 use crate::simulation::Setup;
@@ -25,7 +25,7 @@ pub struct ObjectInWater {
     pub drag_areas_m2: [f64; 3],
     /// Added mass along x, y and z of the body under water, kg.
     pub added_mass_kg: [f64; 3],
-    /// Whether the slamming coefficient is given; else it follows from the growth of the added mass.
+    /// Whether the slamming coefficient is given; otherwise it follows from the growth of the added mass.
     pub slamming_is_given: bool,
     /// Whether the solid is a circular cylinder.
     pub is_cylinder: bool,
@@ -41,25 +41,27 @@ pub struct ImmersionDescription {
     pub depth_m: f64,
     /// Depth of the centre of the part under water, m.
     pub centre_depth_m: f64,
-    /// Volume of the water that is displaced, m^3.
+    /// Displaced volume, m^3.
     pub displaced_volume_m3: f64,
-    /// Its rate with depth, m^2: the area of the water line section.
+    /// Derivative of the displaced volume with respect to the depth, m^2: the waterplane area.
     pub waterplane_area_m2: f64,
     /// Added mass along z, kg.
     pub added_mass_kg: f64,
     /// C_D A_p along z of the part under water, m^2.
     pub drag_area_m2: f64,
-    /// C_S A_S, m^2; where it follows from the growth of the added mass, 2 / rho dA/dh, the largest from here to the next
-    /// immersion.
+    /// C_S A_S, m^2. If it follows from the growth of the added mass, 2 / rho dA/dh, it is the largest value
+    /// from this immersion to the next one.
     pub slamming_area_m2: f64,
 }
 
-/// Steps of the height over which the largest slope of the added mass is sought.
+/// Number of depths over the height at which the slope of the added mass is evaluated to find the largest
+/// one.
 const STEPS: usize = 200;
-/// Share of the height by which an object at the surface is in the water: its section is then that of its bottom.
+/// Immersion of an object at the surface, as a share of its height: its waterplane is then that of its
+/// bottom.
 const TOUCHES: f64 = 1e-6;
 
-/// The objects, in the order of results.
+/// Describes the objects, in the order of results.
 pub fn objects(setup: &Setup) -> Vec<ObjectInWater> {
     Submerged::among(&setup.elements).map(|object| describe(setup, object)).collect()
 }

@@ -1,4 +1,4 @@
-//! The description that a view needs to draw a scenario and to offer its parameters.
+//! Description of a scenario for a view, which draws it and shows its parameters.
 
 mod afloat;
 mod facts;
@@ -72,11 +72,11 @@ pub struct PartDescription {
     pub name: String,
     /// A part of the gallery, or a file.
     pub part: String,
-    /// The body that it is mounted on, or `world`.
+    /// Body on which the part is mounted, or `world`.
     pub on: String,
     /// Position in the drawing frame of that body, m.
     pub position_m: [f64; 3],
-    /// Orientation of its axes in that body's: roll, pitch, yaw, rad.
+    /// Orientation of the part's axes relative to the axes of that body: roll, pitch, yaw, rad.
     pub orientation_rad: [f64; 3],
 }
 
@@ -102,7 +102,7 @@ pub struct BodyDescription {
     pub colour: Option<schema::Colour>,
 }
 
-/// A joint to name.
+/// A joint, with its coordinates.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct JointDescription {
@@ -142,7 +142,7 @@ pub struct LoopDescription {
     pub constraints: Vec<String>,
 }
 
-/// A limit that a run is checked against.
+/// A limit against which the results of a run are checked.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LimitDescription {
@@ -152,7 +152,7 @@ pub struct LimitDescription {
     pub column: String,
     /// Unit of the bounds.
     pub unit: String,
-    /// This unit in the column's SI unit.
+    /// Value of this unit in the column's SI unit.
     pub unit_si: f64,
     /// The smallest value that is allowed.
     pub at_least: Option<f64>,
@@ -162,36 +162,36 @@ pub struct LimitDescription {
     pub from_s: f64,
 }
 
-/// A knob.
+/// A parameter of the scenario, with its value.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ParameterDescription {
     /// Name, as used in `--set`.
     pub name: String,
-    /// For people.
+    /// Label for users.
     pub label: String,
     /// Unit.
     pub unit: String,
-    /// The kind of control for it.
+    /// Kind of control in a view.
     pub kind: ParameterKind,
     /// The value in this scenario.
     #[cfg_attr(feature = "schema", schemars(with = "ParameterValue"))]
     pub value: Value,
     /// Smallest and largest number.
     pub range: Option<[f64; 2]>,
-    /// The texts to choose from.
+    /// Allowed texts.
     pub choices: Option<Vec<String>>,
     /// Whether it can change during a run.
     pub live: bool,
 }
 
 impl Scenario {
-    /// Describes a scenario that builds; bodies that are not enabled are left out.
+    /// Describes a scenario that builds, without its disabled bodies.
     pub fn describe(&self) -> Result<Description, super::ScenarioError> {
         Ok(self.description_of(&self.setup()?))
     }
 
-    /// Describes the scenario by its setup.
+    /// Describes the scenario, with its setup.
     pub(super) fn description_of(&self, setup: &Setup) -> Description {
         let (sea, hulls) = (afloat::sea(self, setup), afloat::hulls(self, setup));
         let objects_in_water = in_water::objects(setup);
@@ -202,7 +202,7 @@ impl Scenario {
             modes.filter(|(_, mode)| **mode == crate::model::MotionType::Free).map(|(name, _)| name).collect();
         let body = |(index, (body, node)): (usize, (&crate::model::Body, &Node))| {
             let (owner, segment) = owner(&body.name);
-            // A body that the scenario does not list is the liquid of a tank.
+            // A body that is not in the scenario is the liquid of a tank.
             let given = self.bodies.get(owner);
             let parent = node.parent.map_or(schema::WORLD, |parent| model.bodies[parent].name.as_str());
             BodyDescription {
@@ -267,7 +267,7 @@ fn describe_loop(model: &Model, closed: &Loop) -> LoopDescription {
     }
 }
 
-/// The inertia of a body without added mass.
+/// Returns the inertia of a body without added mass.
 fn dry_inertia(model: &Model, body: usize, node: &Node) -> [[f64; 3]; 3] {
     let water = || model.added_inertias.iter().filter(|(of, _)| *of == body).map(|(_, added)| added);
     let along = |column: usize| {

@@ -1,7 +1,7 @@
-//! Numbers that look like those of another unit.
+//! Warnings of numbers that are probably in another unit.
 //!
-//! A number in the wrong unit gives a result that looks computed. What no ship, crane or sea has is warned of where it is
-//! written, with the unit that it is read in.
+//! A number in the wrong unit gives results that look correct. A value that no ship, crane or sea has is
+//! reported at its field, with the unit in which it is read.
 
 use crate::scenario::schema::Scenario;
 use crate::scenario::wording;
@@ -9,20 +9,21 @@ use crate::scenario::writing::ToValue;
 use core::f64::consts::TAU;
 use serde_json::{Map, Value};
 
-/// The plausible range of a field, and the units that it is often taken for.
+/// The plausible range of a field, and the units with which it is often confused.
 struct Plausible {
-    /// The end of the field's path.
+    /// End of the field's path.
     field: &'static str,
-    /// Least and most, in the field's unit.
+    /// Smallest and largest plausible value, in the field's unit.
     range: [f64; 2],
-    /// The reason for the range, and the other units.
+    /// Reason for the range, and the units with which the field is confused.
     why: &'static str,
 }
 
 const TURN: [f64; 2] = [-TAU, TAU];
 const IN_DEGREES: &str = "one turn, in radians: is it in degrees?";
 
-/// Every field with a range. A length has none by itself: it is compared with that of the hull or the body.
+/// Every field with a range. Lengths are not listed: they have no general range and are compared with the
+/// size of the hull or the body.
 const PLAUSIBLE: [Plausible; 10] = [
     Plausible { field: ".orientation_rad", range: TURN, why: IN_DEGREES },
     Plausible { field: ".initial_orientation_rad", range: TURN, why: IN_DEGREES },
@@ -52,7 +53,7 @@ const PLAUSIBLE: [Plausible; 10] = [
     Plausible { field: ".gravity.gravity_m_s2", range: [-30.0, 30.0], why: "that of Jupiter: is it in feet?" },
 ];
 
-/// Warns of numbers outside of their range, and of radii of gyration larger than their body.
+/// Warns of numbers outside their range, and of radii of gyration larger than their body.
 pub fn of(scenario: &Scenario) -> Vec<String> {
     let written = scenario.to_value();
     let mut warnings = Vec::new();
@@ -88,7 +89,7 @@ fn is_off(fields: &Map<String, Value>) -> bool {
     fields.get("enabled").is_some_and(|enabled| *enabled == Value::Bool(false))
 }
 
-/// A radius of gyration is less than the farthest point of its body: a hull's length, or the size of its shape.
+/// Warns of a radius of gyration larger than its body: than the hull's length or the size of the shape.
 fn of_gyration(scenario: &Scenario, written: &Value, warnings: &mut Vec<String>) {
     let bodies = written.get("bodies").and_then(Value::as_object).into_iter().flatten();
     for (name, body) in bodies.filter(|(_, body)| !body.as_object().is_some_and(is_off)) {
@@ -104,7 +105,7 @@ fn of_gyration(scenario: &Scenario, written: &Value, warnings: &mut Vec<String>)
     }
 }
 
-/// The length of the hull that a body is, by its database, m.
+/// Returns the length of a body's hull by its database, m.
 fn hull_length(scenario: &Scenario, written: &Value, body: &str) -> Option<f64> {
     let mut forces = written.get("forces")?.as_object()?.iter();
     forces.find_map(|(name, force)| {
@@ -113,7 +114,7 @@ fn hull_length(scenario: &Scenario, written: &Value, body: &str) -> Option<f64> 
     })
 }
 
-/// Twice the sum of a shape's lengths, some of which are radii, m: no two of its points are farther apart.
+/// Returns an upper bound of a shape's size, m: twice the sum of its lengths, some of which are radii.
 fn shape_length(shape: Option<&Value>) -> Option<f64> {
     let lengths = shape?.as_object()?.values().find_map(Value::as_object)?;
     let lengths = lengths.iter().filter(|(name, _)| name.ends_with("_m")).filter_map(|(_, value)| value.as_f64());

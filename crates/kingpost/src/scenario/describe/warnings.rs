@@ -1,4 +1,4 @@
-//! Warnings about a model before it runs.
+//! Warnings about a model, before it runs.
 
 use crate::elements::hull::Hydrostatics;
 use crate::elements::{AnyElement, Hull, significant};
@@ -12,19 +12,20 @@ use crate::sea::raos::OtherUnit;
 use crate::simulation::{GrowingMode, Setup, Simulation};
 use crate::world::World;
 
-/// A hull whose mass differs by more than this share from what its data displace is warned of.
+/// Largest difference between a hull's mass and the displacement of its data without a warning, as a share of
+/// the displacement.
 const LARGEST_CHANGE_OF_MASS: f64 = 0.25;
-/// The most bodies that are named one by one.
+/// Largest number of bodies that the warnings name.
 const MOST_NAMED: usize = 5;
 
-/// All warnings.
+/// Returns all warnings.
 pub fn of(scenario: &Scenario, model: &Model, world: &World, elements: &[AnyElement]) -> Vec<String> {
     let falling = falls(model, &falling(model, world, elements)).into_iter();
     let of_files = of_databases(scenario, model, world, elements).into_iter().chain(of_raos(scenario, model, world));
     falling.chain(of_files).chain(units::of(scenario)).collect()
 }
 
-/// A warning for each body that falls, up to a few, and one for the others.
+/// Returns a warning for each falling body up to `MOST_NAMED`, and one warning for all others.
 fn falls(model: &Model, falling: &[usize]) -> Vec<String> {
     let of = |body: &usize| format!("gravity acts and nothing carries {}: it falls", model.bodies[*body].name);
     let others = falling.len().saturating_sub(MOST_NAMED);
@@ -32,7 +33,7 @@ fn falls(model: &Model, falling: &[usize]) -> Vec<String> {
     falling.iter().take(MOST_NAMED).map(of).chain(rest).collect()
 }
 
-/// Warns of feedback that makes a mode grow, by the linear check at the start of the run.
+/// Warns of feedback that makes a mode unstable, by the linear check at the start of the run.
 pub fn of_feedback(setup: &Setup) -> Option<String> {
     setup.elements.iter().find_map(|element| element.linear_law())?;
     let found = Simulation::recursive(setup.clone()).growing_with_feedback()?;
@@ -48,7 +49,7 @@ pub fn of_feedback(setup: &Setup) -> Option<String> {
     })
 }
 
-/// Warns of the numbers of hulls in the water.
+/// Warns of implausible numbers in the data of hulls in the water.
 fn of_databases(scenario: &Scenario, model: &Model, world: &World, elements: &[AnyElement]) -> Vec<String> {
     let mut warnings = Vec::new();
     for hull in Hull::among(elements) {
@@ -65,7 +66,7 @@ fn of_databases(scenario: &Scenario, model: &Model, world: &World, elements: &[A
     warnings
 }
 
-/// Warns of a hull that floats far from the draught of its data.
+/// Warns of a hull whose draught is far from that of its data.
 fn of_mass(model: &Model, hull: &Hull, database: &Database) -> Option<String> {
     let of_data = database.water.density_kg_m3 * database.hull.volume_m3;
     let mass: f64 = model.carried(hull.frame.body).iter().map(|&body| model.bodies[body].mass).sum();
@@ -81,7 +82,7 @@ fn of_mass(model: &Model, hull: &Hull, database: &Database) -> Option<String> {
     })
 }
 
-/// Warns of displacement RAOs whose rotations look like another unit's.
+/// Warns of displacement RAOs whose rotations are probably in another unit.
 fn of_raos(scenario: &Scenario, model: &Model, world: &World) -> Vec<String> {
     let mut warnings = Vec::new();
     for (name, body) in &scenario.bodies {
@@ -94,8 +95,8 @@ fn of_raos(scenario: &Scenario, model: &Model, world: &World) -> Vec<String> {
     warnings
 }
 
-/// Floating bodies under gravity that nothing connects to the world: no joint, no closed loop and no element that can
-/// carry a body. Damping slows a fall but carries nothing.
+/// Returns the free bodies under gravity that nothing connects to the world: no joint, no closed loop and no
+/// element that can carry a body. Damping does not count: it slows a fall but carries nothing.
 fn falling(model: &Model, world: &World, elements: &[AnyElement]) -> Vec<usize> {
     if world.gravity == 0.0 {
         return Vec::new();

@@ -1,4 +1,4 @@
-//! Merges a part's tree into that of the file that includes it.
+//! Merges the tree of a part into the tree of the file that includes it.
 
 use indexmap::IndexMap;
 use serde_json::Value;
@@ -9,15 +9,15 @@ use super::super::tree::{Content, Field, ScenarioNode};
 use super::super::wording;
 use super::{Mount, WORLD, take};
 
-/// A part with names and places as in the including file.
+/// A part whose names and positions are those of the including file.
 pub struct Part {
     pub tree: ScenarioNode,
-    /// Paths that hold the position of the mounting: a parameter of the position writes them. `Err` holds the path of
-    /// an entry with a position of its own.
+    /// Paths of the fields that hold the position of the mounting: a parameter of the position writes them.
+    /// `Err` holds the path of an entry whose position is given separately.
     pub frames: Result<Vec<String>, String>,
 }
 
-/// Takes the part's entries and parameters.
+/// Adds the part's entries and parameters to the tree.
 pub fn into(tree: &mut ScenarioNode, mut part: Part, mount: &Mount<'_>) -> Result<(), Fault> {
     place_of_the_part(tree, &part, mount)?;
     for section in SECTIONS {
@@ -38,7 +38,7 @@ pub fn into(tree: &mut ScenarioNode, mut part: Part, mount: &Mount<'_>) -> Resul
     parameters(tree, &mut part.tree, mount)
 }
 
-/// The entries of a section; the section is created if it does not exist.
+/// Returns the entries of a section; the section is created if it does not exist.
 fn section_of<'a>(
     tree: &'a mut ScenarioNode,
     section: &str,
@@ -75,7 +75,7 @@ fn parameters(tree: &mut ScenarioNode, part: &mut ScenarioNode, mount: &Mount<'_
     Ok(())
 }
 
-/// Every path that the parameters of a tree write, with the entry's index.
+/// Calls `change` with the paths that each parameter of a tree writes, and with the field of these paths.
 fn each_write(
     tree: &mut ScenarioNode,
     mut change: impl FnMut(String, &mut Vec<ScenarioNode>) -> Result<(), Fault>,
@@ -100,7 +100,7 @@ fn text(node: &ScenarioNode) -> &str {
     }
 }
 
-/// Redirects parameters that write the part's position to the fields that hold it in the whole.
+/// Redirects parameters that write the part's position to the fields that hold it in the whole scenario.
 fn place_of_the_part(tree: &mut ScenarioNode, part: &Part, mount: &Mount<'_>) -> Result<(), Fault> {
     let own = format!("parts.{}.", mount.name);
     each_write(tree, |field, writes| {
@@ -129,7 +129,7 @@ fn is_place(path: &str) -> bool {
     ["position_m", "orientation_rad", "orientation_deg"].contains(&field)
 }
 
-/// Checks that no parameter writes a field that disappears when parts are mounted.
+/// Checks that no parameter writes a field that is removed when parts are mounted.
 pub fn check_writes(tree: &mut ScenarioNode) -> Result<(), Fault> {
     each_write(tree, |field, writes| {
         match writes.iter().enumerate().find(|(_, node)| text(node).starts_with("parts.")) {
@@ -142,7 +142,7 @@ pub fn check_writes(tree: &mut ScenarioNode) -> Result<(), Fault> {
     })
 }
 
-/// Checks that the body that a part is mounted on exists.
+/// Checks that the body on which a part is mounted exists.
 pub fn check_mounted_on(tree: &ScenarioNode, mount: &Mount<'_>) -> Result<(), Fault> {
     let on = mount.mounting.on.as_str();
     let bodies = tree.field("bodies").map(|bodies| bodies.node.names()).unwrap_or_default();

@@ -1,8 +1,9 @@
-//! Parts: other files mounted into the tree of a scenario, before it is typed as a whole.
+//! Parts: other files that are mounted into the tree of a scenario, before the whole tree is converted to
+//! types.
 //!
-//! A part's text becomes a tree whose places carry the part's file. Values that its mounting sets are written into it,
-//! its names get the prefix, entries on the world are moved to the mounting, and the result is merged into the
-//! including tree, where no `parts` remain.
+//! The text of a part becomes a tree whose places contain the part's file. Values that its mounting sets are
+//! written into the tree, its names get the prefix, entries attached to the world are moved to the mounting,
+//! and the result is merged into the including tree. No `parts` remain there.
 
 mod merge;
 mod names;
@@ -21,16 +22,17 @@ use super::tree::{Content, Field, ScenarioNode, segments};
 use super::writing::ToValue;
 use super::{parse, part_names, reading, unit_conversion, wording};
 
-/// Largest nesting depth and number of parts: more would be an error and exhaust the machine.
+/// Largest nesting depth, and largest number of parts: more are probably a mistake and would exhaust the
+/// machine.
 const MOST_LEVELS: usize = 16;
 const MOST_PARTS: usize = 256;
 
-/// The parts of a whole.
+/// Parts of a scenario after mounting.
 #[derive(Default)]
 pub(super) struct Mounted {
-    /// The parts by their names in the whole, also those within parts.
+    /// Parts by their names in the whole scenario, also those within parts.
     pub(super) parts: IndexMap<Name, Mounting>,
-    /// The parts' files, as the main file would name them, each once.
+    /// Files of the parts, each once, named as the main file would name them.
     pub(super) files: Vec<String>,
     /// Whether a part's file was missing.
     pub(super) incomplete: bool,
@@ -39,7 +41,7 @@ pub(super) struct Mounted {
 /// Mounts parts with the texts of a host.
 pub(super) struct Mounter<'a> {
     host: &'a Files,
-    /// Whether missing files are skipped, to find out which files are needed.
+    /// Whether missing files are skipped, to find the names of all files that are needed.
     only_names: bool,
     mounted: Mounted,
     count: usize,
@@ -47,16 +49,16 @@ pub(super) struct Mounter<'a> {
 
 /// A file whose parts are mounted.
 struct Level<'a> {
-    /// The files that include it, the main one first, and itself.
+    /// Files that include this one, the main file first, and this file.
     chain: Vec<&'a str>,
-    /// The prefix of its names in the whole.
+    /// Prefix of its names in the whole scenario.
     prefix: String,
-    /// The prefix of its parts' names in the list of all parts.
+    /// Prefix of the names of its parts in the list of all parts.
     list: String,
 }
 
-/// Converts the units of a scenario just parsed and mounts its parts. Returns its parts, and the overrides that do not
-/// concern a mounting.
+/// Converts the units of a parsed scenario and mounts its parts. Returns the parts, and the overrides that do
+/// not concern a mounting.
 pub(super) fn mount<'a>(
     tree: &mut ScenarioNode,
     file: &str,
@@ -101,7 +103,8 @@ impl Mounter<'_> {
         Ok(rest)
     }
 
-    /// The tree of a part for the including file; `None` if only names are needed and a file is missing.
+    /// Returns the tree of a part, ready for the including file; `None` if only names are needed and a file
+    /// is missing.
     fn part(&mut self, mount: &Mount<'_>, level: &Level<'_>) -> Result<Option<merge::Part>, Fault> {
         let from = level.chain.last().copied().unwrap_or_default();
         let file = part_names::of_part(from, &mount.mounting.part);
@@ -150,25 +153,25 @@ impl Mounter<'_> {
     }
 }
 
-/// A part's place in the file that includes it.
+/// Mounting of a part, in the file that includes it.
 #[derive(Clone, Copy)]
 struct Mount<'a> {
     name: &'a str,
     mounting: &'a Mounting,
-    /// Its fields, with their places.
+    /// Fields of the mounting, with their places.
     node: &'a Field,
     place: &'a SourcePlace,
 }
 
 impl Mount<'_> {
-    /// An error of a field of the mounting.
+    /// Returns an error of a field of the mounting.
     fn fault(&self, field: &str, found: impl ToString, allowed: impl Into<String>) -> Fault {
         let place = self.node.node.field(field).map_or(self.place, |field| &field.node.place);
         let dot = if field.is_empty() { "" } else { "." };
         Fault::new(place, format!("parts.{}{dot}{field}", self.name), found, allowed)
     }
 
-    /// The prefix of the part's names.
+    /// Returns the prefix of the part's names.
     fn prefix(&self) -> Result<String, Fault> {
         match self.mounting.prefix.as_deref() {
             None | Some("") => {}
@@ -180,7 +183,7 @@ impl Mount<'_> {
         Ok(self.mounting.prefix(self.name))
     }
 
-    /// Its entry in the list of all parts.
+    /// Returns the entry of this mounting in the list of all parts.
     fn listed(&self, level: &Level<'_>) -> Option<(Name, Mounting)> {
         let mut mounting = self.mounting.clone();
         if mounting.on != WORLD {
@@ -189,7 +192,7 @@ impl Mount<'_> {
         Some((Name::new(format!("{}{}", level.list, self.name))?, mounting))
     }
 
-    /// The values that it sets in the part.
+    /// Returns the values that the mounting sets in the part.
     fn overrides(&self) -> Vec<Override<'_>> {
         let Some(Content::Fields(places)) = self.node.node.field("parameters").map(|field| &field.node.content) else {
             return Vec::new();
@@ -199,7 +202,7 @@ impl Mount<'_> {
             .collect()
     }
 
-    /// Reports an error in a value that the mounting sets at the field of the mounting.
+    /// Changes an error in a value that the mounting sets, so that it names the field of the mounting.
     fn remapped<T>(&self, result: Result<T, Fault>) -> Result<T, Fault> {
         result.map_err(|mut fault| {
             if let Some(set) = self.overrides().iter().find(|set| set.place == fault.place) {
@@ -210,7 +213,7 @@ impl Mount<'_> {
     }
 }
 
-/// The tree of a part's text, with its places, if it is one that can be mounted.
+/// Returns the tree of a part's text, with its places; an error if it cannot be mounted.
 fn parsed(text: &str, file: &str) -> Result<ScenarioNode, Fault> {
     let in_part = |fault: Fault| Fault { place: names::place_in_part(&fault.place, file), error: fault.error };
     let mut tree = parse::parse(text).map_err(in_part)?;
@@ -230,14 +233,14 @@ fn parsed(text: &str, file: &str) -> Result<ScenarioNode, Fault> {
     Ok(tree)
 }
 
-/// Writes a part's own defaults and then the values that are set.
+/// Writes the part's defaults, then the given values.
 fn apply(tree: &mut ScenarioNode, given: &[Override<'_>]) -> Result<(), Fault> {
     let as_written: Scenario = reading::read(tree)?;
     let whole = as_written.to_value();
     parameters::apply(OverrideTarget { tree, whole: &whole }, &as_written.parameters, given)
 }
 
-/// Keeps the parameters that are not set, without defaults: their values are in the fields.
+/// Keeps the parameters that are not set, without their defaults: the fields already hold these values.
 fn passed_up(tree: &mut ScenarioNode, set: &IndexMap<String, Value>) {
     let Content::Fields(fields) = &mut tree.content else { return };
     let Some(Content::List(parameters)) = fields.get_mut("parameters").map(|field| &mut field.node.content) else {
@@ -254,7 +257,7 @@ fn passed_up(tree: &mut ScenarioNode, set: &IndexMap<String, Value>) {
     }
 }
 
-/// A field taken out of a tree.
+/// Removes a field from a tree and returns it.
 fn take(tree: &mut ScenarioNode, name: &str) -> Option<Field> {
     match &mut tree.content {
         Content::Fields(fields) => fields.shift_remove(name),
@@ -262,7 +265,8 @@ fn take(tree: &mut ScenarioNode, name: &str) -> Option<Field> {
     }
 }
 
-/// Writes a value, which comes from `place`, at a path of field names and list indices; missing fields are created.
+/// Writes a value, which comes from `place`, at a path of field names and list indices; missing fields are
+/// created.
 fn put(tree: &mut ScenarioNode, path: &[&str], value: &Value, place: &SourcePlace) {
     let Some((name, rest)) = path.split_first() else {
         *tree = ScenarioNode::from_value(value, place);
@@ -282,7 +286,7 @@ fn put(tree: &mut ScenarioNode, path: &[&str], value: &Value, place: &SourcePlac
     }
 }
 
-/// Numbers at a path of a value.
+/// Returns the numbers at a path of a value.
 fn numbers<const N: usize>(value: &Value, path: &str) -> Option<[f64; N]> {
     let entries = super::tree::value_at(value, &segments(path))?.as_array()?;
     let numbers: Vec<f64> = entries.iter().filter_map(Value::as_f64).collect();

@@ -1,4 +1,4 @@
-//! Names of a part in the whole: the fields that carry names, and the prefix before them.
+//! Names of a part in the whole scenario: the fields that contain names, and the prefix of these names.
 
 use serde_json::Value;
 
@@ -9,7 +9,7 @@ use super::super::schema::Scenario;
 use super::super::tree::{Content, ScenarioNode};
 use super::super::wording;
 
-/// A path of a part in the whole.
+/// Returns a path of a part as a path of the whole scenario.
 fn in_whole(path: &str, prefix: &str) -> String {
     match path.split_once('.') {
         Some((section, rest)) if SECTIONS.contains(&section) => format!("{section}.{prefix}{rest}"),
@@ -58,7 +58,7 @@ fn visit_section(tree: &mut ScenarioNode, section: &str, visit: &mut dyn FnMut(T
     }
 }
 
-/// Changes a parameter of a part into one of the whole.
+/// Converts a parameter of a part to one of the whole scenario.
 fn parameter(node: &mut ScenarioNode, index: usize, prefix: &str, label: &str) -> Result<(), Fault> {
     let Content::Fields(fields) = &mut node.content else { return Ok(()) };
     if let Some(writes) = fields.get_mut("writes")
@@ -86,12 +86,12 @@ fn parameter(node: &mut ScenarioNode, index: usize, prefix: &str, label: &str) -
     Ok(())
 }
 
-/// Changes the places of a parsed file into places of a part.
+/// Converts the places of a parsed file to places of a part.
 pub fn places_of_part(node: &mut ScenarioNode, file: &str) {
     each_place(node, &mut |place| *place = place_in_part(place, file));
 }
 
-/// Changes a place of a parsed file into one of a part.
+/// Converts a place of a parsed file to a place of a part.
 pub fn place_in_part(place: &SourcePlace, file: &str) -> SourcePlace {
     match place {
         SourcePlace::File { line, column } => {
@@ -101,7 +101,8 @@ pub fn place_in_part(place: &SourcePlace, file: &str) -> SourcePlace {
     }
 }
 
-/// Stores a prefix in the places of a part; values that the including file `from` sets keep their own.
+/// Stores a prefix in the places of a part; places of values that the including file `from` sets do not
+/// change.
 pub fn places_with_prefix(node: &mut ScenarioNode, prefix: &str, from: &str) {
     each_place(node, &mut |place| {
         if let SourcePlace::Part { file, prefix: inner, .. } = place

@@ -12,8 +12,8 @@ use super::super::writing::ToValue;
 use super::super::{unit_conversion, units, wording};
 use super::{put, take};
 
-/// Writes the overrides of mountings, `parts.crane.position_m` and so on, and returns the others. `tree` is the file
-/// without its parts.
+/// Applies the overrides of mountings, such as `parts.crane.position_m`, and returns the others. `tree` is
+/// the file without its parts.
 pub fn write<'a>(parts: &mut Field, tree: &ScenarioNode, given: Vec<Override<'a>>) -> Result<Vec<Override<'a>>, Fault> {
     to_si(parts)?;
     let (ours, rest): (Vec<_>, Vec<_>) = given.into_iter().partition(|set| set.name.starts_with("parts."));
@@ -42,7 +42,7 @@ pub fn write<'a>(parts: &mut Field, tree: &ScenarioNode, given: Vec<Override<'a>
     Ok(rest)
 }
 
-/// The error for a field that a parameter already writes.
+/// Returns the error for a field that a parameter already writes.
 fn set_by_a_parameter(tree: &ScenarioNode, set: &Override<'_>, path: &[String]) -> Option<Fault> {
     let (path, _) = units::si_path(path);
     let parameters = tree.field("parameters")?.node.to_value();
@@ -55,7 +55,7 @@ fn set_by_a_parameter(tree: &ScenarioNode, set: &Override<'_>, path: &[String]) 
     clash.then(|| Fault::new(&set.place, set.name, wording::found(set.value), wording::SET_BY_NAME))
 }
 
-/// Mountings in SI units; the names of parameters keep theirs.
+/// Converts mountings to SI units; the names of parameters are not changed.
 fn to_si(parts: &mut Field) -> Result<(), Fault> {
     let mut parameters = Vec::new();
     if let Content::Fields(mountings) = &mut parts.node.content {
@@ -78,12 +78,12 @@ fn to_si(parts: &mut Field) -> Result<(), Fault> {
     Ok(())
 }
 
-/// The mountings by their names.
+/// Returns the mountings by their names.
 pub fn typed_mountings(parts: &mut Field) -> Result<IndexMap<Name, Mounting>, Fault> {
     in_probe(parts, |probe| Ok(reading::read::<Scenario>(probe)?.parts))
 }
 
-/// Runs `work` on a scenario that has these parts and nothing else.
+/// Calls `work` with a scenario that contains only these parts.
 fn in_probe<T>(parts: &mut Field, work: impl FnOnce(&mut ScenarioNode) -> Result<T, Fault>) -> Result<T, Fault> {
     let mut probe = ScenarioNode::from_value(&json!({"version": 1, "title": "", "bodies": {}}), &SourcePlace::START);
     let hollow =

@@ -1,4 +1,5 @@
-//! Moves everything that a part's file attaches to the world to its mounting: root bodies, pins, anchors, targets.
+//! Moves everything that a part's file attaches to the world to the part's mounting: root bodies, pins,
+//! anchors, targets.
 
 use serde_json::{Value, json};
 
@@ -10,7 +11,7 @@ use super::super::wording;
 use super::{Mount, WORLD, numbers, put};
 use crate::spatial::{Matrix3, Vector3, roll_pitch_yaw, rotation_from_roll_pitch_yaw};
 
-/// The pose of a part on its body.
+/// Pose of a part relative to the body on which it is mounted.
 struct Pose {
     position: [f64; 3],
     angles: [f64; 3],
@@ -29,17 +30,17 @@ impl Pose {
         self.position == NONE && self.angles == NONE
     }
 
-    /// p + R x. Without a rotation there is no rounding.
+    /// Returns p + R x. Without a rotation there is no rounding.
     fn point(&self, x: [f64; 3]) -> [f64; 3] {
         (self.vector(x) + Vector3(self.position)).0
     }
 
-    /// R x.
+    /// Returns R x.
     fn vector(&self, x: [f64; 3]) -> Vector3 {
         if self.angles == NONE { Vector3(x) } else { self.rotation * Vector3(x) }
     }
 
-    /// Roll, pitch and yaw of R times a rotation of these.
+    /// Returns roll, pitch and yaw of R times the rotation by these angles.
     fn turned(&self, angles: [f64; 3]) -> [f64; 3] {
         match (self.angles, angles) {
             (NONE, own) => own,
@@ -50,8 +51,8 @@ impl Pose {
     }
 }
 
-/// Moves everything on the world to the mounting. Returns the paths that hold its position, or the path of an entry
-/// with a position of its own.
+/// Moves everything attached to the world to the mounting. Returns the paths of the fields that hold the
+/// position of the mounting, or the path of an entry whose position is given separately.
 pub fn on_the_mounting(
     tree: &mut ScenarioNode,
     whole: &Value,
@@ -85,7 +86,7 @@ pub fn on_the_mounting(
     Ok(frames)
 }
 
-/// Paths of the fields whose `body` is the world.
+/// Collects the paths of the fields whose `body` is the world.
 fn world_pins(node: &ScenarioNode, path: &mut Vec<String>, into: &mut Vec<Vec<String>>) {
     let mut below = |name: String, node: &ScenarioNode| {
         path.push(name);
@@ -104,9 +105,9 @@ fn world_pins(node: &ScenarioNode, path: &mut Vec<String>, into: &mut Vec<Vec<St
     }
 }
 
-/// A part while it is moved to its mounting.
+/// A part during its move to the mounting.
 struct Standing<'a> {
-    /// The part with every default.
+    /// The part with all defaults.
     whole: &'a Value,
     mount: &'a Mount<'a>,
     pose: Pose,
@@ -117,7 +118,7 @@ impl Standing<'_> {
         &self.mount.mounting.on
     }
 
-    /// The place of a field of the mounting in the file.
+    /// Returns the place of a field of the mounting in the file.
     fn place(&self, field: &str) -> SourcePlace {
         self.mount.fault(field, "", "").place
     }
@@ -136,7 +137,8 @@ impl Standing<'_> {
         own == NONE
     }
 
-    /// Rotates the axes whose roll, pitch and yaw are at a path; returns whether they were parallel.
+    /// Rotates the axes whose roll, pitch and yaw are at a path; returns whether they were parallel to the
+    /// world's.
     fn turn_axes(&self, tree: &mut ScenarioNode, path: &str) -> bool {
         let Some(own) = numbers(self.whole, path) else { return true };
         if self.pose.angles != NONE {
@@ -145,7 +147,8 @@ impl Standing<'_> {
         own == NONE
     }
 
-    /// A root body of the part; returns the path that holds its position, unless it has a position of its own.
+    /// Moves a root body of the part; returns the path of its position, unless the part's file gives a
+    /// position.
     fn root(&self, tree: &mut ScenarioNode, name: &str, kind: &str) -> Result<Option<String>, Fault> {
         let joint = format!("bodies.{name}.joint.{kind}");
         let frame = match kind {
@@ -176,7 +179,7 @@ impl Standing<'_> {
         Ok((at_origin && even).then_some(frame))
     }
 
-    /// A point, or axes, in the world.
+    /// Moves a point, or axes, in the world.
     fn pin(&self, tree: &mut ScenarioNode, path: &[String]) {
         let path = path.join(".");
         self.move_point(tree, &format!("{path}.position_m"));
@@ -192,7 +195,8 @@ impl Standing<'_> {
         }
     }
 
-    /// Entries with a place in the world that do not name it: anchors, and the target of a ship.
+    /// Moves entries with a position in the world that do not contain a body `world`: anchors, and the target
+    /// of a ship.
     fn in_the_world(&self, tree: &mut ScenarioNode, section: &str, name: &str, kind: &str) -> Result<bool, Fault> {
         let entry = format!("{section}.{name}.{kind}");
         let places = match section {
@@ -242,7 +246,7 @@ impl Standing<'_> {
         }
     }
 
-    /// An error if the part is mounted on a body.
+    /// Returns an error if the part is mounted on a body.
     fn needs_the_world(&self, what: &str) -> Result<(), Fault> {
         if self.on() == WORLD {
             return Ok(());
@@ -251,7 +255,7 @@ impl Standing<'_> {
         Err(self.mount.fault("on", found, wording::ON_THE_WORLD))
     }
 
-    /// An error if the part is tilted.
+    /// Returns an error if the part is tilted.
     fn needs_to_be_level(&self, what: &str) -> Result<(), Fault> {
         let [roll, pitch, _] = self.pose.angles;
         if roll == 0.0 && pitch == 0.0 {

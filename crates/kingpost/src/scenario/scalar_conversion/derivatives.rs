@@ -1,4 +1,4 @@
-//! A scenario over dual numbers, with derivatives along some of its numbers.
+//! A scenario over dual numbers, with derivatives with respect to some of its numbers.
 
 use core::fmt::Display;
 
@@ -12,26 +12,26 @@ use crate::plant::{DIRECTIONS, Number};
 
 /// A number with derivatives.
 struct NumberTangent<'a> {
-    /// Its path in the resolved scenario.
+    /// Path of the number in the resolved scenario.
     path: String,
-    /// The first name that it was given by.
+    /// First name that refers to the number.
     name: &'a str,
     derivative: [f64; DIRECTIONS],
     /// Whether the number at its path can have derivatives.
     found: bool,
 }
 
-/// Gives the numbers at some paths derivatives; all others are constants.
+/// Gives the numbers at some paths their derivatives; all other numbers are constants.
 pub(super) struct NumberTangents<'a> {
     tangents: Vec<NumberTangent<'a>>,
-    /// The present path, and where each of its segments begins.
+    /// The present path, and the start of each of its segments.
     path: String,
     begins: Vec<usize>,
 }
 
 impl<'a> NumberTangents<'a> {
-    /// Derivatives along the directions of names: parameters, or paths of numbers. A factor of a unit is the derivative of the
-    /// number in SI.
+    /// Returns the derivatives along the directions of `names`: parameters, or paths of numbers. The
+    /// derivative of a number in SI is the factor of its unit.
     pub(super) fn of(scenario: &Scenario, names: &[&'a str]) -> Self {
         let mut tangents: Vec<NumberTangent<'a>> = Vec::new();
         for (direction, name) in names.iter().enumerate() {
@@ -58,7 +58,8 @@ impl<'a> NumberTangents<'a> {
         Err(FieldError::new(missed.name, found, wording::CONTINUOUS))
     }
 
-    /// An error of a field with derivatives, reported for the name that gave them; other errors unchanged.
+    /// Returns the error of a field with derivatives as an error of the name that refers to it; returns any
+    /// other error unchanged.
     pub(super) fn refused(&self, error: FieldError) -> FieldError {
         let stated = self.tangents.iter().find(|tangent| tangent.path == error.field);
         let within =

@@ -1,4 +1,4 @@
-//! Several scenarios with the same structure as one over lanes.
+//! Several scenarios with the same structure as one scenario over lanes.
 
 use super::super::assembly::assemble;
 use super::super::error::FieldError;
@@ -7,7 +7,7 @@ use super::super::schema::Scenario;
 use crate::scalar::{LANES, Lanes};
 use crate::simulation::Setup;
 
-/// The numbers of each scenario, and the count of those that were taken.
+/// The numbers of each scenario, and how many of them have been used.
 struct OfEach<'a> {
     numbers: [&'a [f64]; LANES],
     taken: usize,
@@ -21,11 +21,11 @@ impl Numbers<Lanes> for OfEach<'_> {
     }
 }
 
-/// The setup of up to [`LANES`] scenarios with the same structure, in lanes; the last one fills the remaining lanes.
-/// `alone` are their separate setups.
+/// Returns one setup over lanes of up to [`LANES`] scenarios with the same structure; the last scenario fills
+/// the remaining lanes. `alone` are their separate setups.
 ///
 /// # Errors
-/// Scenarios of different structure, and a number that must be the same in all of them.
+/// Scenarios with different structure, or a number that differs but must be the same in all of them.
 pub(crate) fn side_by_side(scenarios: &[&Scenario], alone: &[&Setup]) -> Result<Setup<Lanes>, FieldError> {
     let (structures, numbers): (Vec<String>, Vec<Vec<f64>>) =
         scenarios.iter().map(|scenario| scenario.structure_and_numbers()).unzip();

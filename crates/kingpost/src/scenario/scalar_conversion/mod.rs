@@ -1,4 +1,5 @@
-//! A scenario over another scalar: with derivatives, or several scenarios in lanes. [`OverScalar`] converts its numbers.
+//! Conversion of a scenario to another scalar: with derivatives, or several scenarios in lanes.
+//! [`OverScalar`] converts the numbers.
 
 mod derivatives;
 #[cfg(not(target_family = "wasm"))]
@@ -30,7 +31,7 @@ impl<S: Quantity> Numbers<S> for Constants {
 }
 
 impl Scenario {
-    /// The setup of a simulation over another scalar, with all numbers constant.
+    /// Returns the setup of a simulation over another scalar, with all numbers constant.
     ///
     /// # Errors
     /// As [`setup`](Self::setup).
@@ -44,11 +45,11 @@ impl Scenario {
         Ok(assemble(&self.over(&mut Constants), &vec![alone; S::SCENARIOS])?)
     }
 
-    /// The setup of a simulation with derivatives along parameters: direction k is the parameter, or the path of a
-    /// number, `names[k]`, in the unit of its path.
+    /// Returns the setup of a simulation with derivatives with respect to parameters: direction k is
+    /// `names[k]`, a parameter or the path of a number, in the unit of that path.
     ///
-    /// A name stands for the fields that it writes. The derivative of each field is the factor of its unit; everything
-    /// computed from them has the derivative of the formula.
+    /// A parameter refers to all fields that it writes. The derivative of each field is the factor of its
+    /// unit; values computed from the fields have derivatives by the chain rule.
     ///
     /// ```
     /// # let text = include_str!("../../../../../scenarios/paper.yaml");
@@ -60,8 +61,8 @@ impl Scenario {
     /// ```
     ///
     /// # Errors
-    /// A name that is no parameter and no path of a number, or a number that decides the structure, the switching times
-    /// of laws, or the stepping of the run.
+    /// A name that is neither a parameter nor the path of a number, or a number that determines the
+    /// structure, the switching times of laws, or the stepping of the run.
     ///
     /// # Panics
     /// When there are more than [`DIRECTIONS`] names.
@@ -78,13 +79,13 @@ impl Scenario {
         Ok(assemble(&scenario, &[alone]).map_err(|error| tangents.refused(error))?)
     }
 
-    /// The paths that a parameter writes; for any other name, the name itself.
+    /// Returns the paths that a parameter writes; for any other name, the name itself.
     fn paths_of(&self, name: &str) -> Vec<String> {
         let parameter = self.parameters.iter().find(|parameter| parameter.name == name);
         parameter.map_or_else(|| vec![name.to_owned()], |parameter| parameter.writes.clone())
     }
 
-    /// The resolved scenario as a tree of values.
+    /// Returns the resolved scenario as a tree of values.
     pub(super) fn written(&self) -> Value {
         self.to_value()
     }

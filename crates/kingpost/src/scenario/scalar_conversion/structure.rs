@@ -4,7 +4,7 @@ use super::super::over::{Numbers, OverScalar};
 use super::super::schema::Scenario;
 use super::super::writing::ToValue;
 
-/// Writes 0 for each number, and keeps the numbers in their order.
+/// Replaces each number by 0, and collects the numbers in their order.
 #[derive(Default)]
 struct Blanks {
     numbers: Vec<f64>,
@@ -18,13 +18,14 @@ impl Numbers<f64> for Blanks {
 }
 
 impl Scenario {
-    /// The scenario without its continuous numbers, as text. Runs with the same structure can run in lanes, and one can
-    /// continue as the other.
+    /// Returns the scenario without its continuous numbers, as text. Runs with the same structure can run in
+    /// lanes, and one run can continue with the numbers of another.
     pub(crate) fn structure(&self) -> String {
         self.structure_and_numbers().0
     }
 
-    /// The [structure](Self::structure), and the continuous numbers in the order of their declarations.
+    /// Returns the [structure](Self::structure), and the continuous numbers in the order of their
+    /// declarations.
     pub(super) fn structure_and_numbers(&self) -> (String, Vec<f64>) {
         let mut blanks = Blanks::default();
         let structure = self.over(&mut blanks).to_value().to_string();

@@ -1,4 +1,4 @@
-//! Checks of a study beyond its types: values that are there once, kinds that go together, how many runs there may be.
+//! Checks of a study beyond its types: unique values, compatible kinds, number of runs.
 
 use super::super::writing::ToValue;
 use super::{DrawnInterval, EvenRange, MOST_PEAKS, MOST_RUNS, MOST_SEEDS, ScatterQuantity, Study, StudyAxis};
@@ -6,10 +6,10 @@ use crate::scenario::error::FieldError;
 use crate::scenario::schema::ParameterValue;
 use crate::scenario::wording;
 
-/// Where something is wrong, and what.
+/// Path of a field, and its error.
 type Wrong = (Vec<String>, FieldError);
 
-/// The first thing that is wrong.
+/// Returns the first error.
 pub(super) fn all(study: &Study) -> Result<(), Wrong> {
     if study.scenario.trim().is_empty() {
         return wrong(
@@ -31,7 +31,7 @@ fn wrong(path: &[&str], found: impl ToString, allowed: impl Into<String>) -> Res
     Err((path, FieldError::new(field, found, allowed)))
 }
 
-/// Each axis by itself.
+/// Checks each axis separately.
 fn axes(study: &Study) -> Result<(), Wrong> {
     for (name, axis) in &study.axes {
         if name == "seed" || name == "simulation.seed" {
@@ -61,7 +61,7 @@ fn axes(study: &Study) -> Result<(), Wrong> {
     Ok(())
 }
 
-/// A list of values: one or more, of one kind, each once.
+/// Checks a list of values: at least one, all of one kind, no duplicates.
 fn values(name: &str, given: &[ParameterValue]) -> Result<(), Wrong> {
     let Some(first) = given.first() else {
         return wrong(&["axes", name, "values"], "an empty list", "one value or more");
@@ -79,7 +79,7 @@ fn values(name: &str, given: &[ParameterValue]) -> Result<(), Wrong> {
     Ok(())
 }
 
-/// Axes of a Latin hypercube and of a scatter table with what they are drawn from.
+/// Checks the axes of a Latin hypercube and of a scatter table against the samples and the table.
 fn drawn_together(study: &Study) -> Result<(), Wrong> {
     let named =
         |test: fn(&StudyAxis) -> bool| study.axes.iter().find(|(_, axis)| test(axis)).map(|(name, _)| name.as_str());
@@ -116,7 +116,7 @@ fn drawn_together(study: &Study) -> Result<(), Wrong> {
     }
 }
 
-/// How many seeds, samples and runs there are.
+/// Checks the numbers of seeds, samples and runs.
 fn counts(study: &Study) -> Result<(), Wrong> {
     let seeds = &study.seeds;
     if !(1..=MOST_SEEDS).contains(&seeds.count) {
@@ -142,7 +142,7 @@ fn counts(study: &Study) -> Result<(), Wrong> {
     Ok(())
 }
 
-/// Lists of columns and of slopes.
+/// Checks the lists of columns and of slopes.
 fn lists(study: &Study) -> Result<(), Wrong> {
     let nothing = "an empty list";
     if let Some(rainflow) = &study.rainflow {
@@ -170,7 +170,7 @@ fn lists(study: &Study) -> Result<(), Wrong> {
     Ok(())
 }
 
-/// Names of the sea's axes are names of axes.
+/// Checks that the sea's axes are axes of the study.
 fn sea(study: &Study) -> Result<(), Wrong> {
     let sea = &study.sea;
     let given = [
@@ -192,7 +192,7 @@ fn sea(study: &Study) -> Result<(), Wrong> {
     Ok(())
 }
 
-/// A whole number's range in words.
+/// Returns the range of a whole number as text.
 fn whole(least: u64, most: u64) -> String {
     format!("a whole number from {least} to {most}")
 }

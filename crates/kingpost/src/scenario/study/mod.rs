@@ -1,5 +1,6 @@
-//! The file of a study: many runs of one scenario, what they differ in and what is kept of them. The types are the one
-//! schema, as those of a scenario are; who runs a study resolves its names against the scenario.
+//! Study file: many runs of one scenario, the values in which they differ, and the results that are kept. The
+//! types of this module are its schema, as for a scenario; the program that runs a study resolves its names
+//! against the scenario.
 
 mod check;
 
@@ -14,11 +15,11 @@ use super::schema::{Limit, Name, ParameterValue, Version};
 use super::tree::{Content, ScenarioNode};
 use super::{parse, wording};
 
-/// Runs of one study: more is a mistake.
+/// Largest number of runs in one study: more are probably a mistake.
 pub const MOST_RUNS: u64 = 1_000_000;
-/// Seeds of one study.
+/// Largest number of seeds in one study.
 pub const MOST_SEEDS: u64 = 100_000;
-/// Peaks that are kept of a column in a run.
+/// Largest number of peaks that are kept of a column in a run.
 pub const MOST_PEAKS: u64 = 1_000;
 
 /// Many runs of one scenario: every case of the axes with every seed, and what is kept of each run.
@@ -26,7 +27,7 @@ pub const MOST_PEAKS: u64 = 1_000;
 pub struct Study {
     /// The version of the file format: 1.
     pub version: Version,
-    /// One line that says what this is.
+    /// Title of one line.
     pub title: String,
     /// Description of the study, for its readers.
     #[serde(default)]
@@ -43,10 +44,10 @@ pub struct Study {
     pub axes: IndexMap<String, StudyAxis>,
     /// How axes `latin_hypercube` are drawn.
     pub samples: Option<Samples>,
-    /// The seeds of every case, the same in all.
+    /// Seeds of every case; all cases have the same ones.
     #[serde(default)]
     pub seeds: Seeds,
-    /// Start of each run that statistics, limits and extremes leave out, s.
+    /// Time at the start of each run that statistics, limits and extremes exclude, s.
     #[serde(default)]
     pub after_s: NonNegative,
     /// Columns whose statistics are kept, besides those of the limits: `hull.roll`; `*` stands for any text, as in `hull.*`.
@@ -54,17 +55,18 @@ pub struct Study {
     pub record: Vec<String>,
     /// Cycles that are counted for fatigue.
     pub rainflow: Option<Rainflow>,
-    /// The largest independent peaks of each run that are kept.
+    /// Largest independent peaks that are kept of each run.
     pub peaks: Option<Peaks>,
     /// Limits, over those of the scenario: one of the same name replaces it.
     #[serde(default)]
     pub limits: IndexMap<Name, Limit>,
-    /// How long the operation lasts that extremes are of, s. Without it: as long as a run without its start.
+    /// Duration of the operation for which extremes are estimated, s. By default the duration of a run
+    /// without the time at its start that is excluded.
     pub operation_s: Option<Positive>,
     /// Probability, chosen by the user, with which a limit may be exceeded in the operation.
     #[serde(default = "acceptance")]
     pub acceptance: Probability,
-    /// A scatter table, a file beside the study: how often which sea occurs.
+    /// Scatter table, a file in the study's folder: frequency of occurrence of each sea state.
     pub scatter: Option<String>,
     /// Axis that sets each quantity of the sea. Without it, the axes that write these fields of the sea set them.
     #[serde(default)]
@@ -77,26 +79,26 @@ pub struct Study {
 pub enum StudyAxis {
     /// Values given one by one.
     Values(Vec<ParameterValue>),
-    /// Numbers at even distances.
+    /// Numbers at equal intervals.
     Range(EvenRange),
-    /// Numbers drawn together with those of the other axes of this kind, as many as `samples` says.
+    /// Numbers drawn together with those of the other axes of this kind; `samples` gives how many.
     LatinHypercube(DrawnInterval),
-    /// The seas of the scatter table that occur, together with the other axis of this kind.
+    /// Sea states that occur in the scatter table, together with the other axis of this kind.
     Scatter(ScatterQuantity),
 }
 
-/// Numbers at even distances, the first and the last included.
+/// Numbers at equal intervals, including the first and the last.
 #[fields]
 pub struct EvenRange {
     /// The first.
     pub from: f64,
     /// The last.
     pub to: f64,
-    /// How many, 2 or more.
+    /// Number of values, 2 or more.
     pub count: u64,
 }
 
-/// An interval that numbers are drawn from.
+/// An interval from which numbers are drawn.
 #[fields]
 #[cfg_attr(feature = "schema", schemars(rename = "Interval"))]
 pub struct DrawnInterval {
@@ -119,7 +121,7 @@ pub enum ScatterQuantity {
 /// How axes `latin_hypercube` are drawn.
 #[fields]
 pub struct Samples {
-    /// How many samples.
+    /// Number of samples.
     pub count: u64,
     /// Seed from which the samples are drawn.
     #[serde(default = "one")]
@@ -131,7 +133,7 @@ pub struct Samples {
 pub struct Seeds {
     /// The first.
     pub first: u64,
-    /// How many.
+    /// Number of seeds.
     pub count: u64,
 }
 
@@ -141,8 +143,8 @@ impl Default for Seeds {
     }
 }
 
-/// Cycles that are counted by rainflow (ASTM E1049), and sums of their ranges to a power: the damage of an S-N curve of that
-/// slope, but for its constant.
+/// Cycles that are counted by rainflow (ASTM E1049), and sums of their ranges to a power: the damage of an
+/// S-N curve with this slope, except for its constant.
 #[fields]
 pub struct Rainflow {
     /// Columns, `*` as in `record`.
@@ -151,12 +153,12 @@ pub struct Rainflow {
     pub slopes: Vec<Positive>,
 }
 
-/// The largest independent peaks: of those between two up-crossings of the mean the largest.
+/// Largest independent peaks: the largest between each two up-crossings of the mean.
 #[fields]
 pub struct Peaks {
     /// Columns, `*` as in `record`.
     pub columns: Vec<String>,
-    /// How many of them are kept of each run.
+    /// Number of peaks that are kept of each run.
     #[serde(default = "peaks_kept")]
     pub keep: u64,
 }
@@ -186,7 +188,7 @@ const fn peaks_kept() -> u64 {
     32
 }
 
-/// Places of the values in a study's text, line and column from 1, by their dotted paths.
+/// Places of the values in a study's text, as line and column from 1, by their dotted paths.
 pub type Places = IndexMap<String, [usize; 2]>;
 
 /// Reads a study from YAML or JSON, with the places of its values. `file` is the name that errors carry.
@@ -201,8 +203,8 @@ pub type Places = IndexMap<String, [usize; 2]>;
 /// ```
 ///
 /// # Errors
-/// The first thing that is wrong, with its place: syntax, an unknown field, a wrong type, a value out of range, axes that do
-/// not fit together. Names that only the scenario knows are not looked at.
+/// The first error, with its place: syntax, an unknown field, a wrong type, a value out of range,
+/// incompatible axes. Names that refer to the scenario are not checked.
 pub fn read(text: &str, file: &str) -> Result<(Study, Places), ScenarioError> {
     let typed = || {
         let tree = parse::parse_as(text, wording::STUDY)?;
@@ -216,7 +218,7 @@ pub fn read(text: &str, file: &str) -> Result<(Study, Places), ScenarioError> {
     typed().map_err(|fault: Fault| fault.in_file(file))
 }
 
-/// Notes the place of a node and of all below it.
+/// Adds the place of a node and of all nodes below it.
 fn list_places(node: &ScenarioNode, path: &str, places: &mut Places) {
     if let SourcePlace::File { line, column } = node.place {
         places.insert(path.to_owned(), [line, column]);

@@ -1,9 +1,9 @@
-//! Checks that every database must pass.
+//! Checks that apply to every database.
 
 use super::error::{Checked, unless};
 use super::{Attitude, Database, ExcitationTable, RadiationModel, SixBySix, physical, plausible};
 
-/// How far a direction may be from the regular grid, rad: the rounding of seven digits.
+/// Largest deviation of a direction from the regular grid, rad: the rounding of seven digits.
 const GRID_TOLERANCE_RAD: f64 = 1e-5;
 
 pub(super) fn check(database: &Database) -> Checked {
@@ -99,7 +99,7 @@ fn check_mean_drift(database: &Database) -> Checked {
     database.mean_drift.as_ref().map_or(Ok(()), |drift| check_waves("mean_drift", database, drift))
 }
 
-/// Checks that there are numbers for each frequency and direction.
+/// Checks that there are values for each frequency and direction.
 fn check_waves<const N: usize>(field: &str, database: &Database, given: &[Vec<[f64; N]>]) -> Checked {
     let (frequencies, directions) = (database.frequencies_rad_s.len(), database.wave_directions_rad.len());
     let fits = given.len() == frequencies

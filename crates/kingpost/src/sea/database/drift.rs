@@ -1,17 +1,18 @@
-//! Mean drift between the frequencies of a database.
+//! Mean drift, interpolated between the frequencies of a database.
 
 use super::Database;
 
 impl Database {
-    /// Mean drift at a frequency between two of the grid, linear in frequency: surge and sway force and yaw moment per
-    /// amplitude squared, by direction; `None` if the data have none.
+    /// Returns the mean drift at a frequency, interpolated linearly: surge and sway force and yaw moment per
+    /// amplitude squared, by direction; `None` if the data have no mean drift.
     pub fn mean_drift(&self, omega_rad_s: f64) -> Vec<[f64; 3]> {
         let Some(drift) = &self.mean_drift else { return Vec::new() };
         self.between(omega_rad_s, |k, direction| drift[k][direction])
     }
 
-    /// Its slope over frequency, per rad/s: the slope of the parabola through three points of the grid, and linear
-    /// between them; `None` if the data have none.
+    /// Returns the derivative of the mean drift with respect to frequency, per rad/s: that of the parabola
+    /// through three points of the grid, and linear between the points; `None` if the data have no mean
+    /// drift.
     pub fn mean_drift_slope(&self, omega_rad_s: f64) -> Vec<[f64; 3]> {
         let Some(drift) = &self.mean_drift else { return Vec::new() };
         let grid = &self.frequencies_rad_s;

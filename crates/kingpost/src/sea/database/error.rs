@@ -6,7 +6,7 @@ use thiserror::Error;
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[error("{field}: found {found}, allowed: {allowed}")]
 pub struct DatabaseError {
-    /// The field, dotted.
+    /// Dotted path of the field.
     pub field: String,
     /// Value or text that was found.
     pub found: String,

@@ -1,9 +1,9 @@
-//! The hydrodynamic database of one hull, from potential theory: read from a file.
+//! Hydrodynamic database of a hull, from potential theory; it is read from a file.
 //!
-//! The frame of the data has x forward, y to port, z up, and z = 0 on the water plane at the stated
-//! draught. Six-vectors are force or translation x, y, z, then moment or rotation x, y, z about its
-//! origin. Phases are those of `e^(-i w t)`: a wave of amplitude a over the origin makes the force
-//! `Re{X a e^(-i w t)}`. For zero forward speed.
+//! The frame of the data has x forward, y to port, z up, and z = 0 on the water plane at the stated draught.
+//! Six-vectors are force or translation x, y, z, then moment or rotation x, y, z about its origin. The time
+//! factor is `e^(-i w t)`: a wave whose elevation at the origin is `Re{a e^(-i w t)}` exerts the force `Re{X
+//! a e^(-i w t)}`. The data are for zero forward speed.
 
 mod check;
 mod drift;
@@ -19,10 +19,10 @@ use serde_json::Value;
 /// Names of the six modes of motion.
 pub const MODES: [&str; 6] = ["surge", "sway", "heave", "roll", "pitch", "yaw"];
 
-/// A matrix by mode and mode.
+/// A 6x6 matrix over the modes.
 pub type SixBySix = [[f64; 6]; 6];
 
-/// The hydrodynamic data of a hull.
+/// Hydrodynamic data of a hull.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Database {
@@ -30,50 +30,51 @@ pub struct Database {
     version: u32,
     /// Title of one line.
     pub title: String,
-    /// The program and the data that it was made from.
+    /// Program and input data from which the database was made.
     #[serde(default)]
     pub provenance: Value,
-    /// The water that it was computed for.
+    /// Water for which the data were computed.
     pub water: DatabaseWater,
     /// The hull at rest.
     pub hull: HullAtRest,
     /// Frequencies, rad/s, increasing.
     pub frequencies_rad_s: Vec<f64>,
-    /// Directions that waves go to, against the hull's x axis, rad: a regular grid of the full circle from 0.
+    /// Propagation directions of the waves relative to the hull's x axis, rad: a regular grid of the full
+    /// circle from 0.
     pub wave_directions_rad: Vec<f64>,
-    /// A by frequency, kg, kg m, kg m^2.
+    /// Added mass A by frequency, kg, kg m, kg m^2.
     pub added_mass: Vec<SixBySix>,
-    /// B by frequency, kg/s, kg m/s, kg m^2/s.
+    /// Radiation damping B by frequency, kg/s, kg m/s, kg m^2/s.
     pub radiation_damping: Vec<SixBySix>,
-    /// A at infinite frequency.
+    /// Added mass A at infinite frequency.
     pub added_mass_infinite: SixBySix,
-    /// Froude-Krylov excitation, by the pressure of the incident wave, N/m, N m/m.
+    /// Froude-Krylov excitation: the pressure of the incident wave, N/m, N m/m.
     pub froude_krylov: ExcitationTable,
-    /// Diffraction excitation, by the waves that the hull scatters.
+    /// Diffraction excitation: the waves that the hull scatters.
     pub diffraction: ExcitationTable,
     /// Mean drift by frequency and direction: surge and sway force, yaw moment per amplitude squared, hull axes, N/m^2,
     /// N m/m^2.
     #[serde(default)]
     pub mean_drift: Option<Vec<Vec<[f64; 3]>>>,
-    /// The loading that the mean drift was computed for, if the data state it.
+    /// Loading for which the mean drift was computed, if the data contain it.
     #[serde(default)]
     pub mean_drift_loading: Option<DriftLoading>,
-    /// The fitted state-space model of radiation.
+    /// Fitted state-space model of radiation.
     #[serde(default)]
     pub radiation: Option<RadiationModel>,
 }
 
-/// A hull's loading: the motion in waves depends on it, and therefore the drift.
+/// Loading of a hull: the motion in waves depends on it, and so does the drift.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct DriftLoading {
-    /// kg.
+    /// Mass, kg.
     pub mass_kg: f64,
     /// KG, m.
     pub keel_to_gravity_m: f64,
     /// Radii of gyration in roll, pitch and yaw, about the centre of gravity, m.
     pub radii_of_gyration_m: [f64; 3],
-    /// Viscous roll damping that was added, as a share of the critical damping.
+    /// Viscous roll damping in the computation, as a share of the critical damping.
     pub roll_damping_ratio: f64,
 }
 
@@ -81,11 +82,11 @@ pub struct DriftLoading {
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct DatabaseWater {
-    /// kg/m^3.
+    /// Density, kg/m^3.
     pub density_kg_m3: f64,
-    /// m/s^2.
+    /// Acceleration of gravity, m/s^2.
     pub gravity_m_s2: f64,
-    /// m; `None` if it is infinite.
+    /// Depth, m; `None` if it is infinite.
     pub depth_m: Option<f64>,
 }
 
@@ -93,7 +94,7 @@ pub struct DatabaseWater {
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct HullAtRest {
-    /// m.
+    /// Draught, m.
     pub draught_m: f64,
     /// Length of the water line, m.
     pub length_m: f64,
@@ -103,19 +104,19 @@ pub struct HullAtRest {
     pub volume_m3: f64,
     /// Centre of buoyancy, m.
     pub centre_of_buoyancy_m: [f64; 3],
-    /// The water plane.
+    /// Waterplane.
     pub waterplane: WaterplaneMoments,
-    /// The whole hull with its deck, closed.
+    /// Closed mesh of the whole hull with its deck.
     #[serde(default)]
     pub mesh: Option<Mesh>,
-    /// The attitude of the hull for the coefficients, if not upright at that draught. Everything else here is for the
-    /// upright hull.
+    /// Attitude of the hull for the coefficients, if it is not upright at the stated draught. All other data
+    /// are for the upright hull.
     #[serde(default)]
     pub attitude: Option<Attitude>,
 }
 
-/// The axes of the upright hull in those of the coefficients: rotated by `Ry(pitch) Rx(roll)`, with their origin above
-/// or below that of the coefficients, which is on the waterplane.
+/// Pose of the upright hull's axes in the axes of the coefficients: rotated by `Ry(pitch) Rx(roll)`, with the
+/// origin above or below that of the coefficients, which is on the waterplane.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Attitude {
@@ -131,7 +132,7 @@ pub struct Attitude {
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct WaterplaneMoments {
-    /// m^2.
+    /// Area, m^2.
     pub area_m2: f64,
     /// Integrals of x and y, m^3.
     pub first_moments_m3: [f64; 2],
@@ -139,17 +140,17 @@ pub struct WaterplaneMoments {
     pub second_moments_m4: [f64; 3],
 }
 
-/// Triangles.
+/// A triangle mesh.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Mesh {
-    /// m.
+    /// Vertices, m.
     pub vertices_m: Vec<[f64; 3]>,
     /// Indices of vertices, counter-clockwise seen from the water.
     pub triangles: Vec<[usize; 3]>,
 }
 
-/// Complex excitation by frequency, direction and mode.
+/// Complex excitation per wave amplitude, by frequency, direction and mode.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ExcitationTable {
@@ -164,24 +165,24 @@ pub struct ExcitationTable {
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RadiationModel {
-    /// By the mode that moves.
+    /// Memory by the mode of the motion.
     pub modes: [RadiationMode; 6],
-    /// Largest error of the fit, relative.
+    /// Largest relative error of the fit.
     pub fit_error: f64,
 }
 
-/// The memory of the motion in one mode.
+/// Radiation memory of the motion in one mode.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RadiationMode {
-    /// Real and imaginary part; of a conjugate pair the one with a positive imaginary part.
+    /// Poles, real and imaginary part; of a conjugate pair, the pole with a positive imaginary part.
     pub poles_rad_s: Vec<[f64; 2]>,
-    /// By pole and by the mode of the force: real and imaginary part.
+    /// Residues by pole and by the mode of the force: real and imaginary part.
     pub residues: Vec<[[f64; 2]; 6]>,
 }
 
-/// Returns a message of the reader of JSON without the place, which stands before it, and without the names of Rust's
-/// types.
+/// Returns a message of the JSON parser without its position, which an error shows before the message, and
+/// without the names of Rust types.
 fn in_words(message: &str) -> String {
     let message = message.rsplit_once(" at line ").map_or(message, |(words, _)| words);
     message.replace("expected f64", "expected a number").replace("invalid type: ", "").replace("invalid length ", "")
@@ -191,7 +192,7 @@ impl Database {
     /// Reads and checks a database's text.
     ///
     /// # Errors
-    /// The first error: another format, a truncated file, or numbers that no hull can have.
+    /// The first error: another format, a truncated file, or impossible numbers.
     pub fn read(text: &str) -> Result<Self, DatabaseError> {
         let database: Self = serde_json::from_str(text).map_err(|error| DatabaseError {
             field: format!("line {}, column {}", error.line(), error.column()),
@@ -202,8 +203,8 @@ impl Database {
         Ok(database)
     }
 
-    /// Complex excitation by Froude-Krylov pressure and diffraction together, or by diffraction alone, at a frequency
-    /// between two of the grid, linear in frequency: real and imaginary part by direction and mode.
+    /// Returns the complex excitation at a frequency, interpolated linearly: by Froude-Krylov pressure and
+    /// diffraction together, or by diffraction alone; real and imaginary part by direction and mode.
     pub fn excitation(&self, omega_rad_s: f64, froude_krylov: bool) -> Vec<[[f64; 2]; 6]> {
         let (below, share) = self.bracket(omega_rad_s);
         let part = |k: usize, direction: usize, mode: usize| {
@@ -220,23 +221,24 @@ impl Database {
         (0..self.wave_directions_rad.len()).map(at).collect()
     }
 
-    /// Whether Froude-Krylov and diffraction are separate.
+    /// Returns whether Froude-Krylov and diffraction excitation are separate.
     pub fn has_froude_krylov(&self) -> bool {
         self.froude_krylov.real.iter().flatten().flatten().any(|force| *force != 0.0)
     }
 
-    /// Whether a frequency lies within the grid.
+    /// Returns whether a frequency is within the grid.
     pub fn covers(&self, omega_rad_s: f64) -> bool {
         let [lowest, highest] = self.band_rad_s();
         (lowest..=highest).contains(&omega_rad_s)
     }
 
-    /// The lowest frequency and the highest, rad/s.
+    /// Returns the lowest and the highest frequency, rad/s.
     pub fn band_rad_s(&self) -> [f64; 2] {
         [self.frequencies_rad_s[0], self.frequencies_rad_s[self.frequencies_rad_s.len() - 1]]
     }
 
-    /// The interval of the grid that contains a frequency, and the position in it; outside the grid the nearest end.
+    /// Returns the interval of the grid that contains a frequency, and the position within it; outside the
+    /// grid, the nearest end.
     fn bracket(&self, omega_rad_s: f64) -> (usize, f64) {
         let grid = &self.frequencies_rad_s;
         let below = grid.partition_point(|omega| *omega <= omega_rad_s).clamp(1, grid.len() - 1) - 1;

@@ -1,21 +1,24 @@
-//! Physical checks of coefficients: symmetric at zero speed, and radiation that takes energy and gives none.
+//! Physical checks of coefficients: symmetry at zero speed, and radiation that only dissipates energy.
 
 use nalgebra::{Complex, Matrix6};
 
 use super::error::{Checked, unless};
 use super::{Database, MODES, RadiationModel, SixBySix};
 
-/// Largest `|M_ij - M_ji|` over the root of the diagonals' product, each at its largest: panel methods give symmetry
-/// only approximately.
+/// Largest allowed asymmetry `|M_ij - M_ji|`, as a share of the root of the product of both diagonals, each
+/// at its maximum: panel methods give only approximate symmetry.
 const ASYMMETRY: f64 = 0.05;
 
-/// How far below zero an eigenvalue of a symmetric part may be, scaled so that the diagonals are at most 1.
+/// Largest allowed magnitude of a negative eigenvalue of a symmetric part, after scaling to diagonals of at
+/// most 1.
 const NEGATIVE: f64 = 0.05;
 
-/// Diagonals below this share of the displaced water's inertia count as this share: a rolling sphere moves no water.
+/// Smallest scale of a diagonal, as a share of the displaced water's inertia: a rolling sphere, for example,
+/// has no added inertia.
 const SMALL: f64 = 0.01;
 
-/// Allowed share of the memory's terms in their sum at zero frequency, which should be 0: the rounding of seven digits.
+/// Largest allowed sum of the memory's terms at zero frequency, which should be 0, as a share of the terms:
+/// the rounding of seven digits.
 const DRIFT: f64 = 1e-5;
 
 /// Checks A and B by potential theory: J. N. Newman, Marine Hydrodynamics, MIT Press 1977, sections 6.15 and 6.17.
@@ -30,25 +33,25 @@ pub(super) fn check_matrices(database: &Database) -> Checked {
     check_not_negative("radiation_damping", &database.radiation_damping, &damping)
 }
 
-/// The diagonal at its largest, or a small share of the displaced water's.
+/// Returns the maximum of each diagonal, at least a small share of the displaced water's inertia.
 fn scale(first: &[SixBySix], second: &[SixBySix], displaced: [f64; 6]) -> [f64; 6] {
     let largest = |i: usize| first.iter().chain(second).map(|matrix| matrix[i][i]).fold(SMALL * displaced[i], f64::max);
     core::array::from_fn(largest)
 }
 
-/// Diagonals of B below this count as no damping.
+/// Returns the scale of each diagonal of B; smaller values count as no damping.
 pub(super) fn damping_scale(database: &Database) -> [f64; 6] {
     displaced(database).map(|inertia| SMALL * inertia * rate(database))
 }
 
-/// Mass and inertia of the displaced water, as of a block of the hull's length and beam.
+/// Returns mass and inertia of the displaced water, approximated by a block of the hull's length and beam.
 fn displaced(database: &Database) -> [f64; 6] {
     let (hull, mass) = (&database.hull, database.water.density_kg_m3 * database.hull.volume_m3);
     let about = |extent: f64| mass * extent * extent / 12.0;
     [mass, mass, mass, about(hull.beam_m), about(hull.length_m), about(hull.length_m)]
 }
 
-/// `sqrt(g / V^(1/3))`, rad/s.
+/// Returns a characteristic frequency of the hull, `sqrt(g / V^(1/3))`, rad/s.
 fn rate(database: &Database) -> f64 {
     libm::sqrt(database.water.gravity_m_s2 / libm::cbrt(database.hull.volume_m3))
 }
@@ -81,7 +84,8 @@ fn at(field: &str, k: usize, matrices: &[SixBySix]) -> String {
     if matrices.len() > 1 { format!("{field}.{k}") } else { field.to_owned() }
 }
 
-/// Checks that the memory has no force on a steady drift, `K(0) = 0`, and adds energy at no frequency of the database.
+/// Checks that the memory exerts no force on a steady drift, `K(0) = 0`, and does not add energy at any
+/// frequency of the database.
 pub(super) fn check_radiation(model: &RadiationModel, frequencies_rad_s: &[f64]) -> Checked {
     let (still, parts) = (response(model, 0.0), largest_parts(model));
     for (i, j) in (0..6).flat_map(|i| (0..6).map(move |j| (i, j))) {
@@ -98,7 +102,7 @@ pub(super) fn check_radiation(model: &RadiationModel, frequencies_rad_s: &[f64])
     check_not_negative("radiation", &damping, &largest)
 }
 
-/// `K_ij(j w)`, with the mode i of the force and the mode j of the motion.
+/// Returns `K_ij(j w)`, with the mode i of the force and the mode j of the motion.
 fn response(model: &RadiationModel, omega_rad_s: f64) -> [[Complex<f64>; 6]; 6] {
     let s = Complex::new(0.0, omega_rad_s);
     sum(model, |pole, residue| {
@@ -107,7 +111,7 @@ fn response(model: &RadiationModel, omega_rad_s: f64) -> [[Complex<f64>; 6]; 6] 
     })
 }
 
-/// The sums of `|r / p|`.
+/// Returns the sums of `|r / p|`.
 fn largest_parts(model: &RadiationModel) -> [[f64; 6]; 6] {
     sum(model, |pole, residue| Complex::new(2.0 * size(residue) / size(pole), 0.0)).map(|row| row.map(|x| x.re))
 }

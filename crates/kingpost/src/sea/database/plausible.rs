@@ -1,4 +1,4 @@
-//! Parts of a database that say the same in two ways: excitation and damping, the waterplane and the mesh.
+//! Consistency of a database: excitation against damping, and waterplane and volume against the mesh.
 
 use super::error::{Checked, unless};
 use super::physical::damping_scale;
@@ -7,29 +7,33 @@ use crate::sea::hull::{FloatingPosition, HullMesh, WettedHull};
 use crate::sea::waves::{self, group_velocity_m_s, wave_number};
 use core::f64::consts::{PI, TAU};
 
-/// Excitation over that of Haskind's relation, as amplitudes: beyond this factor a database is refused.
+/// Largest allowed ratio of the excitation to that of Haskind's relation, as amplitudes; beyond it a database
+/// is refused.
 const MOST_EXCITATION: f64 = 10.0;
-/// Beyond this factor it is warned of: coarse panels and irregular frequencies stay within.
+/// Largest ratio of the excitation without a warning: coarse panels and irregular frequencies stay below it.
 const DOUBTFUL_EXCITATION: f64 = 2.0;
-/// A mode is compared where its damping is at least this share of its largest.
+/// Smallest damping of a mode that is compared, as a share of its maximum.
 const NOTICEABLE: f64 = 0.1;
-/// Harmonics round the circle that are kept free for what aliases.
+/// Number of harmonics around the circle that are reserved against aliasing.
 const SPARE_HARMONICS: f64 = 4.0;
 
-/// A waterplane or a volume that differs by this factor from the mesh's is refused.
+/// Largest allowed factor between the waterplane or volume and that of the mesh; beyond it a database is
+/// refused.
 const MOST_OF_MESH: f64 = 2.0;
-/// One that differs by more than this share is warned of.
+/// Largest difference of the waterplane or volume from that of the mesh without a warning, as a share.
 const DOUBTFUL_OF_MESH: f64 = 0.1;
 
-/// A fit of the memory with a larger error, as a share of its peak, is warned of: `kingpost hydro` aims at this.
+/// Largest error of the fit of the memory without a warning, as a share of its peak: the target of `kingpost
+/// hydro`.
 const DOUBTFUL_FIT: f64 = 0.02;
 
-/// Waves are long against a hull where `k L` is at most this.
+/// Largest `k L` for which waves count as long.
 const LONG: f64 = 0.4;
-/// Heave's excitation in such a wave over what level and acceleration make: beyond this factor a database is refused.
+/// Largest allowed ratio of the heave excitation in a long wave to that from the water's level and
+/// acceleration; beyond it a database is refused.
 const MOST_HEAVE: f64 = 3.0;
 
-/// Refuses what is wrong by more than any panel can be.
+/// Refuses data whose errors are larger than those of any panel model.
 pub(super) fn check(database: &Database) -> Checked {
     for (field, found, of_mesh) in sizes(database).into_iter().flatten() {
         let ratio = found / of_mesh;
@@ -39,10 +43,11 @@ pub(super) fn check(database: &Database) -> Checked {
     }
     check_heave(database)?;
     for (mode, ratio) in excitation_ratios(database) {
-        // What is added for viscosity or a mooring may be many times the damping of waves, but not in heave and pitch.
+        // Added damping, for viscosity or a mooring, can be many times the wave damping, but not in heave and
+        // pitch.
         let is_too_small = ratio < 1.0 / MOST_EXCITATION && matches!(mode, 2 | 4);
         let found = format!(
-            "in {}, at the median, {ratio:.3e} times the amplitude that radiation_damping asks for by Haskind's relation",
+            "in {}, at the median, {ratio:.3e} times the amplitude that follows from radiation_damping by Haskind's relation",
             MODES[mode]
         );
         let allowed = "about once: check the units and scale of forces and damping";
@@ -52,7 +57,7 @@ pub(super) fn check(database: &Database) -> Checked {
 }
 
 impl Database {
-    /// Returns doubts about the numbers, which a person should know before a run relies on them.
+    /// Returns doubts about the data, which a user should know before using them.
     pub fn doubts(&self) -> Vec<String> {
         let of_mesh = sizes(self).into_iter().flatten().filter_map(|(field, found, of_mesh)| {
             let doubtful = (found / of_mesh - 1.0).abs() > DOUBTFUL_OF_MESH;
@@ -94,14 +99,14 @@ impl Database {
         of_mesh.chain(large).chain(small).chain(fit).chain(told).collect()
     }
 
-    /// Diagonal of the damping that the excitation implies, by frequency and mode; `None` at frequencies whose waves are too
-    /// short for the grid of directions.
+    /// Returns the diagonal of the damping that follows from the excitation, by frequency and mode; `None` at
+    /// frequencies whose waves are too short for the grid of directions.
     ///
-    /// `B_ii = k / (8 pi rho g c_g) Int |X_i|^2 db` over the circle, with the group velocity c_g: Haskind's relation at zero
-    /// speed (J. N. Newman, The exciting forces on fixed bodies in waves, J. Ship Research 6(3), 1962; *Marine
-    /// Hydrodynamics*, MIT Press 1977, sections 6.17 and 6.18, where c_g = g / (2 w) over infinite depth). `|X_i|^2` has
-    /// harmonics up to about `2 k R` round the circle, R the radius of the hull's plan; those the trapezoidal rule over m
-    /// directions integrates exactly up to m.
+    /// `B_ii = k / (8 pi rho g c_g) Int |X_i|^2 db` over the circle, with the group velocity c_g: Haskind's
+    /// relation at zero speed (J. N. Newman, The exciting forces on fixed bodies in waves, J. Ship Research
+    /// 6(3), 1962; *Marine Hydrodynamics*, MIT Press 1977, sections 6.17 and 6.18, where c_g = g / (2 w) over
+    /// infinite depth). `|X_i|^2` has harmonics around the circle up to about `2 k R`, where R is the radius
+    /// of the hull in plan; the trapezoidal rule over m directions integrates harmonics below m exactly.
     pub fn haskind_damping(&self) -> Vec<Option<[f64; 6]>> {
         let water = waves_water(self);
         let radius = 0.5 * libm::hypot(self.hull.length_m, self.hull.beam_m);
@@ -116,7 +121,7 @@ impl Database {
         self.frequencies_rad_s.iter().enumerate().map(at).collect()
     }
 
-    /// The sums of `|X_i|^2` over the directions.
+    /// Returns the sums of `|X_i|^2` over the directions.
     fn squares_at(&self, n: usize) -> [f64; 6] {
         let (own, scattered) = (&self.froude_krylov, &self.diffraction);
         let square = |direction: usize, mode: usize| {
@@ -133,7 +138,8 @@ fn waves_water(database: &Database) -> waves::Water {
     waves::Water { density_kg_m3, gravity_m_s2, depth_m }
 }
 
-/// Field, value and the mesh's: waterplane and volume below it. None without a closed mesh.
+/// Returns field, value and the value from the mesh, for the waterplane and the volume below it; `None`
+/// without a closed mesh.
 fn sizes(database: &Database) -> Option<[(&'static str, f64, f64); 2]> {
     let (hull, mesh) = (&database.hull, database.hull.mesh.as_ref()?);
     let mesh = HullMesh::new(mesh.vertices_m.clone(), mesh.triangles.clone()).ok()?;
@@ -144,7 +150,8 @@ fn sizes(database: &Database) -> Option<[(&'static str, f64, f64); 2]> {
     (area > 0.0 && volume > 0.0).then_some(both)
 }
 
-/// In a long wave `X_3 = rho g S - w^2 (rho V + A_33)`: the water's level, and its acceleration.
+/// Checks the heave excitation in a long wave: `X_3 = rho g S - w^2 (rho V + A_33)`, from the water's level
+/// and its acceleration.
 fn check_heave(database: &Database) -> Checked {
     let (hull, water, omega) = (&database.hull, &database.water, database.frequencies_rad_s[0]);
     let extent = hull.length_m.max(hull.draught_m);
@@ -160,8 +167,9 @@ fn check_heave(database: &Database) -> Checked {
     unless(fits, "froude_krylov + diffraction", found, &allowed)
 }
 
-/// By mode the amplitude of the excitation over that of Haskind's relation: the median over frequencies that the directions
-/// resolve and at which the mode makes waves. Modes without either are left out: strip theory has no damping in surge.
+/// Returns for each mode the ratio of the excitation's amplitude to that of Haskind's relation: the median
+/// over frequencies that the directions resolve and at which the mode radiates waves. Modes without
+/// excitation or damping are omitted: strip theory, for example, has no damping in surge.
 fn excitation_ratios(database: &Database) -> impl Iterator<Item = (usize, f64)> {
     let (implied, scale) = (database.haskind_damping(), damping_scale(database));
     let of_mode = |mode: usize| -> Vec<[f64; 2]> {
@@ -173,8 +181,8 @@ fn excitation_ratios(database: &Database) -> impl Iterator<Item = (usize, f64)> 
     found.into_iter()
 }
 
-/// Returns the median of `sqrt(implied / given)` over pairs of damping; the smallest damping that counts is a share of
-/// the largest, or `least`.
+/// Returns the median of `sqrt(implied / given)` over pairs of dampings; a damping counts if it is at least a
+/// share of the largest one, or `least`.
 fn median_ratio(pairs: &[[f64; 2]], least: f64) -> Option<f64> {
     let largest = |which: usize| pairs.iter().map(|pair| pair[which]).fold(0.0, f64::max);
     if largest(0) == 0.0 || largest(1) == 0.0 || largest(0).max(largest(1)) < least {

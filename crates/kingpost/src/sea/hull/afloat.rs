@@ -1,36 +1,36 @@
-//! The search for the floating position of a hull at constant displacement.
+//! Search for the floating position of a hull at constant displacement.
 
 use super::{Buoyancy, FloatingPosition, HullMesh, HullTank, Loading, StabilityError, Waterplane, WettedHull};
 use crate::spatial::Vector3;
 
-/// Steps towards an equilibrium.
+/// Largest number of steps of the search.
 const MOST_STEPS: usize = 100;
-/// A step that turns the hull by less than this is the last, rad: convergence is quadratic.
+/// Rotation of the last step, rad: a smaller step ends the search, because convergence is quadratic.
 const LAST_TURN: f64 = 1e-9;
 /// Largest rotation of the hull in one step, rad.
 const LARGEST_TURN: f64 = 0.2;
-/// Halvings of the height's bracket, at most.
+/// Largest number of halvings of the height's bracket.
 const MOST_HALVINGS: usize = 200;
 
-/// The heel of a hull with this vertical, to starboard, rad.
+/// Returns the heel of a hull with this vertical, to starboard, rad.
 pub(super) fn heel_of(vertical: Vector3) -> f64 {
     libm::atan2(vertical[1], vertical[2])
 }
 
-/// The trim, by the bow, rad.
+/// Returns the trim of a hull with this vertical, by the bow, rad.
 pub(super) fn trim_of(vertical: Vector3) -> f64 {
     libm::atan2(-vertical[0], libm::hypot(vertical[1], vertical[2]))
 }
 
-/// Directions in which the vertical moves in hull axes with increasing heel, and with increasing trim: unit vectors
-/// across and along the ship, in the water's plane. Upright they are y and -x.
+/// Returns the directions in which the vertical moves in hull axes with increasing heel, and with increasing
+/// trim: unit vectors across and along the ship, in the water's plane. For an upright hull they are y and -x.
 pub(super) fn tangents(vertical: Vector3) -> [Vector3; 2] {
     let forward = Vector3::new(1.0, 0.0, 0.0);
     let along = (vertical * vertical[0] - forward).direction();
     [along.cross(vertical), along]
 }
 
-/// A hull that displaces its weight.
+/// A hull in a position in which it displaces its weight.
 #[derive(Clone, Copy)]
 pub(super) struct Afloat {
     pub(super) position: FloatingPosition,
@@ -44,10 +44,10 @@ pub(super) struct EquilibriumSearch<'a> {
     wetted: WettedHull,
     volume: f64,
     mass: f64,
-    /// With the liquid in its tanks as in the upright hull.
+    /// Centre of gravity, with the liquid in tanks at its position in the upright hull.
     centre_of_gravity: Vector3,
     tanks: &'a [HullTank],
-    /// Levers below this count as 0, m.
+    /// Lever below which it counts as 0, m.
     rounding: f64,
 }
 
@@ -68,34 +68,35 @@ impl<'a> EquilibriumSearch<'a> {
             return Err(StabilityError::CannotFloat { mass_t: mass / 1000.0, displacement_m3: volume, largest_m3 });
         }
         let size = mesh.vertices().iter().map(|r| r.norm()).fold(centre_of_gravity.norm(), f64::max);
-        // A hundred roundings of the farthest place.
+        // A hundred rounding errors of the farthest position.
         Ok(Self { mesh, wetted: WettedHull::new(mesh), volume, mass, centre_of_gravity, tanks, rounding: 1e-14 * size })
     }
 
-    /// c: the centre of gravity with the liquid in its tanks level.
+    /// Returns c: the centre of gravity with level liquid in the tanks.
     fn settled_centre_of_gravity(&self, vertical: Vector3) -> Vector3 {
         let shift = self.tanks.iter().fold(Vector3::zero(), |sum, tank| sum + tank.shift(vertical));
         self.centre_of_gravity + shift * (1.0 / self.mass)
     }
 
-    /// b - c: from the centre of gravity to that of buoyancy, hull axes, m.
+    /// Returns b - c: the vector from the centre of gravity to the centre of buoyancy, hull axes, m.
     pub(super) fn lever(&self, afloat: &Afloat) -> Vector3 {
         afloat.buoyancy.centre() - self.settled_centre_of_gravity(afloat.position.vertical)
     }
 
-    /// Phi / W, m.
+    /// Returns Phi / W, m.
     fn energy_height(&self, afloat: &Afloat) -> f64 {
         let FloatingPosition { height, vertical } = afloat.position;
         let centre_of_gravity = self.settled_centre_of_gravity(vertical);
         height + vertical.dot(centre_of_gravity) - afloat.buoyancy.height_moment / afloat.buoyancy.volume
     }
 
-    /// The height at which the hull displaces its volume: V falls with the height by the area of the waterplane;
-    /// Newton's method, between a hull out of the water and one under water.
+    /// Returns the position at the height at which the hull displaces its volume. V falls with the height, at
+    /// the rate of the waterplane's area; Newton's method in a bracket from a fully emerged to a fully
+    /// submerged hull.
     fn at_volume(&mut self, vertical: Vector3) -> Afloat {
         let (least, greatest) = self.mesh.extent_along(vertical);
         let (mut under, mut out) = (-greatest, -least);
-        // Some roundings of the largest height.
+        // A few rounding errors of the largest height.
         let smallest_step = 1e-15 * (out - under);
         let mut height = under + (out - under) * (1.0 - self.volume / self.mesh.volume());
         for _ in 0..MOST_HALVINGS {
@@ -123,8 +124,8 @@ impl<'a> EquilibriumSearch<'a> {
         Afloat { position, buoyancy, waterplane: self.wetted.waterplane(self.mesh, &position) }
     }
 
-    /// Rotates the hull from this vertical until the trimming moment is 0, and the heeling moment too if it is free to
-    /// heel.
+    /// Rotates the hull from this vertical until the trimming moment is 0, and also the heeling moment if the
+    /// hull is free to heel.
     pub(super) fn settle(&mut self, start: Vector3, free_to_heel: bool) -> Result<Afloat, StabilityError> {
         let mut afloat = self.at_volume(start);
         let mut turn = 0.0;
@@ -146,9 +147,9 @@ impl<'a> EquilibriumSearch<'a> {
         })
     }
 
-    /// Newton's step on the sphere of verticals: a tangent vector. The slope of Phi / W along t is `-(b - c).t`; its
-    /// second derivatives are BM plus the height of b above c, less the reduction by free surfaces: GM. If one is
-    /// negative, its absolute value is taken, so that the step goes downhill.
+    /// Returns Newton's step on the sphere of verticals: a tangent vector. The slope of Phi / W along t is
+    /// `-(b - c).t`; its second derivatives are BM plus the height of b above c, less the reduction by free
+    /// surfaces: GM. A negative GM is replaced by its absolute value, so that the step goes downhill.
     fn newton_step(&self, afloat: &Afloat, free_to_heel: bool) -> Vector3 {
         let (lever, [across, along]) = (self.lever(afloat), tangents(afloat.position.vertical));
         let metacentric = |t: Vector3, u: Vector3| {
@@ -165,13 +166,13 @@ impl<'a> EquilibriumSearch<'a> {
         if !free_to_heel {
             return step_along(along, trim);
         }
-        // The principal directions of a symmetric 2x2 matrix.
+        // Principal directions of a symmetric 2x2 matrix.
         let (sin, cos) = libm::sincos(0.5 * libm::atan2(2.0 * mixed, heel - trim));
         let (mean, half) = (0.5 * (heel + trim), libm::hypot(0.5 * (heel - trim), mixed));
         step_along(across * cos + along * sin, mean + half) + step_along(along * cos - across * sin, mean - half)
     }
 
-    /// The step, halved until it does not raise Phi / W.
+    /// Takes the step, halved until it does not increase Phi / W.
     fn go_down(&mut self, from: &Afloat, mut step: Vector3) -> Afloat {
         let height = self.energy_height(from);
         loop {
@@ -185,7 +186,7 @@ impl<'a> EquilibriumSearch<'a> {
     }
 }
 
-/// The vertical rotated along a great circle by this tangent vector, rad.
+/// Returns the vertical rotated along a great circle by this tangent vector, rad.
 fn turned(vertical: Vector3, step: Vector3) -> Vector3 {
     let angle = step.norm();
     if angle == 0.0 {

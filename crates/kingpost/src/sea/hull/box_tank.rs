@@ -1,29 +1,30 @@
-//! A liquid that stays level in a box: the free surface of a slack tank.
+//! Free surface of a slack tank: a liquid in a box whose surface stays level.
 //!
-//! The surface is taken as always level, without sloshing: valid if the natural periods of the liquid in its tank are
-//! well below those of the ship. The volume below a plane n . r = l through a box, and its first moment, are computed
-//! like those of a hull (see [`super::WettedHull`]), here for a box whose sizes may carry derivatives.
+//! The surface is always level, without sloshing: valid if the natural periods of the liquid in its tank are
+//! well below those of the ship. The volume below a plane n . r = l through a box, and its first moment, are
+//! computed like those of a hull (see [`super::WettedHull`]), here for a box whose sizes may carry
+//! derivatives.
 
 use super::solids::Below;
 use crate::scalar::{Dual, Scalar};
 use crate::spatial::{Matrix3, Vector3};
 
-/// Largest number of steps towards the level: for a level in a corner each step leaves two thirds of the error.
+/// Largest number of Newton steps: for a level in a corner, each step leaves two thirds of the error.
 const MOST_STEPS: usize = 60;
-/// A step below this share of the tank's extent along the vertical counts as 0.
+/// Smallest step that counts, as a share of the tank's extent along the vertical.
 const SMALLEST_STEP: f64 = 1e-15;
 
-/// A box with a liquid in it. Its centre is the origin, its sides are along the axes.
+/// A box that contains a liquid. The box's centre is the origin, and its sides are along the axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BoxTank<S = f64> {
     /// Length, breadth and height: along x, y and z, m.
     pub edges: Vector3<S>,
-    /// Share of the volume that is liquid, from 0 to 1; at both ends there is no free surface.
+    /// Ratio of the liquid's volume to that of the box, from 0 to 1; at both ends there is no free surface.
     pub filling: S,
 }
 
 impl<S: Scalar> BoxTank<S> {
-    /// V: of the liquid, m^3.
+    /// Returns the volume V of the liquid, m^3.
     pub fn volume(&self) -> S {
         self.edges[0] * self.edges[1] * self.edges[2] * self.filling
     }
@@ -60,7 +61,8 @@ impl<S: Scalar> BoxTank<S> {
         Vector3(shift.0.map(|moment| free.select_below(f64::MIN_POSITIVE, || S::ZERO, || moment)))
     }
 
-    /// Not negative if the surface meets only upright walls: twice the remaining height of liquid or air at the walls.
+    /// Returns a measure that is not negative if the surface meets only upright walls: twice the smallest
+    /// remaining height of liquid or air at the walls.
     fn room(&self, vertical: Vector3<S>) -> S {
         let size = |x: S| x.select_below(0.0, || -x, || x);
         let least = self.filling.select_below(0.5, || self.filling, || S::ONE - self.filling);
@@ -80,8 +82,8 @@ impl<S: Scalar> BoxTank<S> {
         self.below(vertical, self.level(vertical)).first_moment - Vector3::new(S::ZERO, S::ZERO, upright)
     }
 
-    /// l: height of the surface above the centre of the box, m. The last Newton step carries the derivatives: with
-    /// dV/dl, the area, they are exact if l is.
+    /// Returns l: height of the surface above the centre of the box, m. The last Newton step carries the
+    /// derivatives: with the exact dV/dl, which is the area, they are exact if l is.
     fn level(&self, vertical: Vector3<S>) -> S {
         let ([x, y, z], [length, breadth, height]) = (vertical.0, self.edges.0);
         let [level] = S::from_values([x, y, z, length, breadth, height, self.filling], &|numbers| {
@@ -93,18 +95,18 @@ impl<S: Scalar> BoxTank<S> {
         level - below.area.select_below(f64::MIN_POSITIVE, || S::ZERO, || excess / below.area)
     }
 
-    /// The part below the plane n . r = l.
+    /// Returns the part of the box below the plane n . r = l.
     fn below(&self, vertical: Vector3<S>, level: S) -> Below<S> {
         Below::of_box(self.edges, vertical, level)
     }
 }
 
 impl BoxTank {
-    /// Newton's method, dV/dl = area. It begins with the level for a surface that meets only walls along one axis,
-    /// which is then exact. Otherwise the volume below that level is larger than the liquid (smaller, for a tank more
-    /// than half full). From the middle of the box outward V is convex (concave) over l, because it is the convolution
-    /// of three even densities. So every step goes towards the level and never beyond it, and a step in the other
-    /// direction is rounding.
+    /// Newton's method, dV/dl = area. It starts with the level of a surface that meets only walls along one
+    /// axis; for such a surface this level is exact. Otherwise the volume below that level is larger than the
+    /// liquid (smaller, for a tank more than half full). From the middle of the box outward V is convex
+    /// (concave) over l, because it is the convolution of three even densities. So every step goes towards
+    /// the level but never beyond it, and a step in the other direction is a rounding error.
     fn find_level(&self, vertical: Vector3) -> f64 {
         let extents: [f64; 3] = core::array::from_fn(|k| (vertical[k] * self.edges[k]).abs());
         let fullness = self.filling - 0.5;
@@ -124,8 +126,9 @@ impl BoxTank {
         level
     }
 
-    /// i, m^4: the second moment of the free surface about its centroid along tangents t and u of it, unit vectors
-    /// across the vertical in the tank's axes. It is minus the rate of V c along t when the vertical turns towards u.
+    /// Returns i, m^4: the second moment of the free surface about its centroid, along the unit vectors t and
+    /// u in the surface, in the tank's axes. It is minus the derivative of V c along t when the vertical
+    /// turns towards u.
     pub fn second_moment(&self, vertical: Vector3, t: Vector3, u: Vector3) -> f64 {
         let turning = Vector3(core::array::from_fn(|k| Dual::<1> { value: vertical[k], derivative: [u[k]] }));
         let tank = BoxTank { edges: Vector3::constant(self.edges.0), filling: Dual::constant(self.filling) };
@@ -139,19 +142,19 @@ impl BoxTank {
 pub struct HullTank {
     /// The box and its filling.
     pub tank: BoxTank,
-    /// From the tank's axes to the hull's.
+    /// Rotation from the tank's axes to the hull's.
     pub rotation: Matrix3,
     /// Density of the liquid, kg/m^3.
     pub density: f64,
 }
 
 impl HullTank {
-    /// rho V (c - c0) in hull axes, kg m, of [`BoxTank::shift`].
+    /// Returns rho V (c - c0) in hull axes, kg m; see [`BoxTank::shift`].
     pub fn shift(&self, vertical: Vector3) -> Vector3 {
         self.rotation * (self.tank.shift(self.rotation.transpose_times(vertical)) * self.density)
     }
 
-    /// rho i along tangents in hull axes, kg m^2, of [`BoxTank::second_moment`].
+    /// Returns rho i along tangents in hull axes, kg m^2; see [`BoxTank::second_moment`].
     pub fn second_moment(&self, vertical: Vector3, t: Vector3, u: Vector3) -> f64 {
         let [vertical, t, u] = [vertical, t, u].map(|axis| self.rotation.transpose_times(axis));
         self.density * self.tank.second_moment(vertical, t, u)
@@ -164,8 +167,8 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// Sum of the volumes of twelve triangles, each with a few roundings; the level is found to 1e-15 of the box's
-        /// extent.
+        /// The error is that of the sum of twelve triangles' volumes, with a few rounding errors each; the
+        /// level is found to 1e-15 of the box's extent.
         #[test]
         fn the_volume_below_the_surface_is_that_of_the_liquid_in_any_orientation(
             edges in prop::array::uniform3(0.1..10.0_f64),
@@ -185,9 +188,9 @@ mod tests {
             prop_assert!((found - tank.volume()).abs() < rounding, "{found}, liquid {}", tank.volume());
         }
 
-        /// The box cut by a plane and the closed form of the wedges, to rounding.
+        /// The volume of the box cut by a plane agrees with the closed form of the wedges, to rounding.
         #[test]
-        fn a_surface_between_walls_is_cut_out_of_the_box_as_its_closed_form_says(
+        fn a_surface_between_walls_cuts_the_volume_of_the_closed_form(
             edges in prop::array::uniform3(0.1..10.0_f64),
             filling in 0.001..0.999_f64,
             slopes in prop::array::uniform2(-1.0..1.0_f64),

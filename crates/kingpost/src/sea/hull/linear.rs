@@ -17,11 +17,11 @@ use crate::spatial::{Vector3, Wrench};
 /// *Marine Hydrodynamics*, 1977, sec. 6.16).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinearHydrostatics {
-    /// V: displaced volume, m^3.
+    /// Displaced volume V, m^3.
     pub volume: f64,
-    /// b: centre of buoyancy, m.
+    /// Centre of buoyancy b, m.
     pub centre_of_buoyancy: Vector3,
-    /// S: waterplane area, m^2.
+    /// Waterplane area S, m^2.
     pub waterplane_area: f64,
     /// Integrals of x and of y over the waterplane, m^3.
     pub first_moments: [f64; 2],
@@ -29,8 +29,8 @@ pub struct LinearHydrostatics {
     pub second_moments: [f64; 3],
 }
 
-/// Linear restoring: minus the rates of force and moment about the hull's origin along heave (3),
-/// roll (4) and pitch (5). The matrix is symmetric, and its other entries are 0.
+/// Linear restoring coefficients: minus the derivatives of force and moment about the hull's origin with
+/// respect to heave (3), roll (4) and pitch (5). The matrix is symmetric, and its other entries are 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Restoring {
     /// C33, N/m.
@@ -48,7 +48,7 @@ pub struct Restoring {
 }
 
 impl LinearHydrostatics {
-    /// For an upright mesh with its origin on the waterplane.
+    /// Creates the linear hydrostatics of an upright mesh with its origin on the waterplane.
     ///
     /// # Errors
     /// [`StabilityError::AboveWater`].
@@ -69,8 +69,8 @@ impl LinearHydrostatics {
         })
     }
 
-    /// U, J, in water of this specific weight rho g, N/m^3; 0 with the centre of buoyancy on the
-    /// water plane.
+    /// Returns the potential energy U, J, in water of this specific weight rho g, N/m^3; it is 0 with the
+    /// centre of buoyancy on the water plane.
     pub fn potential_energy<S: Scalar>(&self, position: &FloatingPosition<S>, specific_weight: S) -> S {
         let (z, [n_x, n_y, _]) = (position.height, position.vertical.0);
         let [wedge, x_wedge, y_wedge] = self.wedges(position);
@@ -79,8 +79,8 @@ impl LinearHydrostatics {
         specific_weight * (squared * S::constant(0.5) - rise * S::constant(self.volume))
     }
 
-    /// Force `-dU/dz0` along the vertical and moment `n x dU/dn` on the hull about its origin, in
-    /// its axes, N and N m. (A turn by the small angle a in hull axes changes n by `n x a`, so the
+    /// Returns the force `-dU/dz0` along the vertical and the moment `n x dU/dn` on the hull about its
+    /// origin, in its axes, N and N m. (A turn by the small angle a in hull axes changes n by `n x a`, so the
     /// moment's work on it is `-dU/dn . (n x a) = (n x dU/dn) . a`.)
     #[inline]
     pub fn wrench<S: Scalar>(&self, position: &FloatingPosition<S>, specific_weight: S) -> Wrench<S> {
@@ -90,7 +90,7 @@ impl LinearHydrostatics {
         Wrench { moment: n.cross(along_n) * specific_weight, force: n * ((volume - wedge) * specific_weight) }
     }
 
-    /// Integrals of h, x h and y h over the waterplane, with `h = z0 + x n_x + y n_y`.
+    /// Returns the integrals of h, x h and y h over the waterplane, with `h = z0 + x n_x + y n_y`.
     #[inline]
     fn wedges<S: Scalar>(&self, position: &FloatingPosition<S>) -> [S; 3] {
         let (z, [n_x, n_y, _]) = (position.height, position.vertical.0);
@@ -99,7 +99,7 @@ impl LinearHydrostatics {
         [area * z + x * n_x + y * n_y, x * z + xx * n_x + xy * n_y, y * z + xy * n_x + yy * n_y]
     }
 
-    /// The buoyancy's part of restoring, in water of this specific weight rho g, N/m^3.
+    /// Returns the restoring coefficients of the buoyancy, in water of this specific weight rho g, N/m^3.
     pub fn restoring(&self, specific_weight: f64) -> Restoring {
         let ([x, y], [xx, xy, yy]) = (self.first_moments, self.second_moments);
         let tall = self.volume * self.centre_of_buoyancy[2];
@@ -115,8 +115,8 @@ impl LinearHydrostatics {
 }
 
 impl Restoring {
-    /// With a weight, N, whose centre is at this height in hull axes, m: the restoring including the weight's tipping
-    /// moment.
+    /// Returns the restoring coefficients with those of a weight, N, whose centre is at this height in hull
+    /// axes, m.
     #[must_use]
     pub fn with_weight(self, weight: f64, centre_height: f64) -> Self {
         Self { roll: self.roll - weight * centre_height, pitch: self.pitch - weight * centre_height, ..self }

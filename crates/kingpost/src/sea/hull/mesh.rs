@@ -1,9 +1,9 @@
-//! Closed triangle meshes of hulls, checked when they are made.
+//! Closed triangle meshes of hulls, checked at construction.
 
 use crate::spatial::Vector3;
 use thiserror::Error;
 
-/// A volume below this part of the cube of the mesh's extent counts as none.
+/// Smallest volume that counts, as a share of the cube of the mesh's extent.
 const SMALLEST_VOLUME: f64 = 1e-9;
 
 /// A hull's outer surface: a closed set of triangles with outward normals (corners counter-clockwise as seen from
@@ -31,16 +31,16 @@ pub(super) struct Triangle {
     pub(super) area: Vector3,
 }
 
-/// Why triangles make no hull.
+/// Reason why triangles are not a valid hull.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum MeshError {
-    /// Too few triangles to enclose a volume.
-    #[error("the hull has {triangles} triangles, allowed: at least 4, which close")]
+    /// There are too few triangles to enclose a volume.
+    #[error("the hull has {triangles} triangles, allowed: at least 4, as a closed surface")]
     TooFew {
         /// Number of triangles.
         triangles: usize,
     },
-    /// A coordinate that is NaN.
+    /// A coordinate is NaN or infinite.
     #[error("vertex {vertex} of the hull: {axis} is {found}, allowed: a finite number")]
     NotFinite {
         /// Index of the vertex, from 0.
@@ -50,17 +50,17 @@ pub enum MeshError {
         /// The value found.
         found: f64,
     },
-    /// A corner that refers to no vertex.
+    /// A corner refers to a vertex that does not exist.
     #[error("triangle {triangle} of the hull: corner {found}, allowed: 0 to {}", vertices.saturating_sub(1))]
     NoSuchVertex {
         /// Index of the triangle, from 0.
         triangle: usize,
-        /// The corner.
+        /// Index of the vertex that does not exist.
         found: usize,
         /// Number of vertices.
         vertices: usize,
     },
-    /// Edges with a triangle on one side only.
+    /// Some edges have a triangle on one side only.
     #[error(
         "the hull has holes: {edges} open edges, one from {from_m:?} to {to_m:?} m, allowed: none; \
          close the hull with its deck and transom, and merge coincident vertices"
@@ -73,7 +73,7 @@ pub enum MeshError {
         /// End of this edge, hull axes, m.
         to_m: [f64; 3],
     },
-    /// Neighbours with opposite orientation.
+    /// Some neighbouring triangles have opposite orientation.
     #[error(
         "the hull's triangles disagree which side is outside: along {edges} edges, one from {from_m:?} to {to_m:?} m, \
          allowed: all normals outward"
@@ -86,7 +86,7 @@ pub enum MeshError {
         /// End of this edge, hull axes, m.
         to_m: [f64; 3],
     },
-    /// The corners run clockwise as seen from outside.
+    /// The corners of a part run clockwise as seen from outside.
     #[error(
         "the hull's normals point inward: the part at {at_m:?} m encloses {volume_m3:.4e} m3, allowed: more than 0; \
          reverse the order of every triangle's corners"
@@ -94,25 +94,25 @@ pub enum MeshError {
     Inward {
         /// A vertex of the part, hull axes, m.
         at_m: [f64; 3],
-        /// Its volume, negative, m^3.
+        /// Volume of the part, negative, m^3.
         volume_m3: f64,
     },
-    /// A part that is flat.
+    /// A part is flat.
     #[error(
         "the hull has no volume: the part at {at_m:?} m encloses {volume_m3:.1e} m3, allowed: more than {smallest_m3:.1e}"
     )]
     NoVolume {
         /// A vertex of the part, hull axes, m.
         at_m: [f64; 3],
-        /// The volume that it encloses, m^3.
+        /// Volume that the part encloses, m^3.
         volume_m3: f64,
-        /// Volume that counts as 0 for a mesh of this size, m^3.
+        /// Smallest volume that counts for a mesh of this size, m^3.
         smallest_m3: f64,
     },
 }
 
 impl HullMesh {
-    /// A hull of these vertices, in the hull's axes, m, and triangles of indices from 0.
+    /// Creates a hull from vertices in the hull's axes, m, and triangles of vertex indices from 0.
     ///
     /// # Errors
     /// [`MeshError`], for the first error.
@@ -129,17 +129,17 @@ impl HullMesh {
         Ok(Self { vertices, triangles, volume })
     }
 
-    /// The vertices, hull axes, m.
+    /// Returns the vertices, hull axes, m.
     pub fn vertices(&self) -> &[Vector3] {
         &self.vertices
     }
 
-    /// Indices of the vertices of each triangle, counter-clockwise as seen from outside.
+    /// Returns the vertex indices of each triangle, counter-clockwise as seen from outside.
     pub fn triangles(&self) -> impl ExactSizeIterator<Item = [u32; 3]> + '_ {
         self.triangles.iter().map(|triangle| triangle.corners)
     }
 
-    /// Volume of the whole hull, and so its largest displacement, m^3.
+    /// Returns the volume of the whole hull, which is its largest displacement, m^3.
     pub fn volume(&self) -> f64 {
         self.volume
     }
@@ -148,7 +148,7 @@ impl HullMesh {
         &self.triangles
     }
 
-    /// The least and the greatest of `direction . r` over the vertices, m.
+    /// Returns the smallest and the largest `direction . r` over the vertices, m.
     pub(super) fn extent_along(&self, direction: Vector3) -> (f64, f64) {
         let along = self.vertices.iter().map(|&r| direction.dot(r));
         along.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, greatest), h| (least.min(h), greatest.max(h)))
@@ -164,7 +164,7 @@ fn check_numbers(vertices: &[[f64; 3]], triangles: &[[usize; 3]]) -> Result<(), 
             return Err(MeshError::NotFinite { vertex, axis: ['x', 'y', 'z'][axis], found: r[axis] });
         }
     }
-    // Indices are kept as u32.
+    // Indices are stored as u32.
     let vertices = vertices.len().min(u32::MAX as usize);
     for (triangle, corners) in triangles.iter().enumerate() {
         if let Some(&found) = corners.iter().find(|&&corner| corner >= vertices) {
@@ -174,7 +174,8 @@ fn check_numbers(vertices: &[[f64; 3]], triangles: &[[usize; 3]]) -> Result<(), 
     Ok(())
 }
 
-/// In a closed surface with consistent orientation, every edge occurs equally often in both directions.
+/// Checks the edges: in a closed surface with consistent orientation, every edge occurs equally often in both
+/// directions.
 fn check_edges(vertices: &[[f64; 3]], triangles: &[[usize; 3]]) -> Result<(), MeshError> {
     let mut walks: Vec<([usize; 2], bool)> = triangles
         .iter()
@@ -195,7 +196,8 @@ fn check_edges(vertices: &[[f64; 3]], triangles: &[[usize; 3]]) -> Result<(), Me
     Ok(())
 }
 
-/// The volume of all parts together, by the divergence theorem over each; a part is a set of connected triangles.
+/// Checks the volume of each part, computed by the divergence theorem; a part is a set of connected
+/// triangles.
 fn check_volumes(vertices: &[Vector3], triangles: &[[usize; 3]]) -> Result<f64, MeshError> {
     let mut part_of: Vec<usize> = (0..vertices.len()).collect();
     for &[a, b, c] in triangles {
@@ -205,7 +207,8 @@ fn check_volumes(vertices: &[Vector3], triangles: &[[usize; 3]]) -> Result<f64, 
             part_of[part] = first;
         }
     }
-    // About a vertex of the part, so that a mesh far from its origin keeps its digits.
+    // The volume is computed about a vertex of the part, so that a mesh far from its origin does not lose
+    // digits.
     let mut volumes = vec![0.0; vertices.len()];
     for &corners in triangles {
         let part = root(&part_of, corners[0]);
@@ -231,7 +234,7 @@ fn check_volumes(vertices: &[Vector3], triangles: &[[usize; 3]]) -> Result<f64, 
     Ok(volumes.iter().sum())
 }
 
-/// The vertex that stands for the part of vertex `i`.
+/// Returns the vertex that represents the part of vertex `i`.
 fn root(part_of: &[usize], mut i: usize) -> usize {
     while part_of[i] != i {
         i = part_of[i];

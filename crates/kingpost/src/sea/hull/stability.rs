@@ -1,4 +1,4 @@
-//! The floating position of a loaded hull, and its righting arms.
+//! Floating position of a loaded hull, and its righting arms.
 
 use super::afloat::{Afloat, EquilibriumSearch, heel_of, tangents, trim_of};
 use super::{Buoyancy, FloatingPosition, HullMesh, HullTank, Loading, StabilityError, Waterplane};
@@ -6,11 +6,11 @@ use crate::spatial::Vector3;
 
 /// A loaded hull at rest in still water.
 ///
-/// If a loading balances exactly in an unstable position, as a symmetric one can, that position is found: its
-/// metacentric height is negative.
+/// If a loading, such as a symmetric one, balances exactly in an unstable position, this position is found;
+/// its metacentric height is negative.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FloatingEquilibrium {
-    /// Its position.
+    /// Position of the hull.
     pub position: FloatingPosition,
     /// Heel to starboard, rad.
     pub heel: f64,
@@ -18,11 +18,12 @@ pub struct FloatingEquilibrium {
     pub trim: f64,
     /// Depth of the hull's lowest point, m.
     pub draught: f64,
-    /// Its displacement.
+    /// Buoyancy of the hull.
     pub buoyancy: Buoyancy,
-    /// Its waterplane.
+    /// Waterplane of the hull.
     pub waterplane: Waterplane,
-    /// KB: height of the centre of buoyancy above the keel, the hull's lowest vertex, along the hull's z, m.
+    /// KB: height of the centre of buoyancy above the keel, which is the hull's lowest vertex, along the
+    /// hull's z, m.
     pub keel_to_buoyancy: f64,
     /// BM across and along the ship, `I / V`, m.
     pub metacentric_radius: [f64; 2],
@@ -37,16 +38,16 @@ pub struct RightingArm {
     pub position: FloatingPosition,
     /// Heel to starboard, rad.
     pub heel: f64,
-    /// By the bow, without trimming moment, rad.
+    /// Trim by the bow at which the trimming moment is 0, rad.
     pub trim: f64,
-    /// GZ: distance of the buoyancy's line of action to starboard of the centre of gravity, m.
+    /// GZ: distance of the line of action of buoyancy from the centre of gravity, positive to starboard, m.
     pub arm: f64,
 }
 
 impl FloatingEquilibrium {
-    /// Draught, heel and trim at which weight and buoyancy balance: a stationary point of `Phi / W = z0 + n . c - H /
-    /// V` at constant displacement, by Newton's method from the upright position, which only goes downhill (c the
-    /// centre of gravity; see [`Buoyancy`]).
+    /// Finds draught, heel and trim at which weight and buoyancy balance: a stationary point of `Phi / W = z0
+    /// + n . c - H / V` at constant displacement, by Newton's method with downhill steps from the upright
+    /// position (c is the centre of gravity; see [`Buoyancy`]).
     ///
     /// # Errors
     /// [`StabilityError`].
@@ -72,7 +73,7 @@ impl FloatingEquilibrium {
 }
 
 impl RightingArm {
-    /// The curve at these angles of heel, rad, at constant displacement, free to trim.
+    /// Computes the curve at these angles of heel, rad, at constant displacement, free to trim.
     ///
     /// # Errors
     /// [`StabilityError`].
@@ -80,8 +81,8 @@ impl RightingArm {
         Self::curve_with_tanks(mesh, loading, &[], heels)
     }
 
-    /// Computes the curve of a hull with slack tanks. The centre of gravity of its loading contains their liquid as in
-    /// the upright hull; at each heel and trim the liquid is level.
+    /// Computes the curve of a hull with slack tanks. The centre of gravity of the loading includes the
+    /// liquid at its position in the upright hull; at each heel and trim the liquid is level.
     ///
     /// # Errors
     /// [`StabilityError`].

@@ -1,16 +1,16 @@
-//! The section of a hull with the plane of the still water.
+//! Waterplane: section of a hull with the plane of the still water.
 
 use super::FloatingPosition;
 use super::mesh::HullMesh;
 use super::wetted::{WettedHull, apex_of, cuts, from_corner};
 use crate::spatial::{Symmetric3, Vector3};
 
-/// Area and moments of a waterplane about the hull's origin, in the hull's axes. They are the rates
-/// of buoyancy: of V with the height, minus the area; of V with n, and of its first moment G with
-/// the height, minus the first moments; of G with n, minus the second moments.
+/// Area and moments of a waterplane about the hull's origin, in the hull's axes. They are derivatives of the
+/// buoyancy: minus the area is dV/dz0; minus the first moments are dV/dn and dG/dz0; minus the second moments
+/// are dG/dn.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Waterplane {
-    /// S, m^2.
+    /// Area S, m^2.
     pub area: f64,
     /// Integral of r over the area, m^3.
     pub first_moments: Vector3,
@@ -19,10 +19,11 @@ pub struct Waterplane {
 }
 
 impl WettedHull<f64> {
-    /// The waterplane of the hull in this position: each triangle that the surface cuts gives one edge of it.
+    /// Returns the waterplane of the hull in this position: each triangle that the surface cuts gives one
+    /// edge of the waterplane.
     ///
     /// # Panics
-    /// When the memory was made for another mesh.
+    /// If the memory was made for another mesh.
     pub fn waterplane(&mut self, mesh: &HullMesh, position: &FloatingPosition) -> Waterplane {
         self.find_heights(mesh, position);
         let foot = position.vertical * -position.height;
@@ -46,7 +47,7 @@ impl WettedHull<f64> {
 }
 
 impl Waterplane {
-    /// Adds a triangle by the means of products of barycentric coordinates.
+    /// Adds a triangle, by the means of products of barycentric coordinates.
     fn add(&mut self, a: Vector3, b: Vector3, c: Vector3, normal: Vector3) {
         let area = 0.5 * normal.dot((b - a).cross(c - a));
         let sum = a + b + c;
@@ -63,13 +64,13 @@ impl Waterplane {
         };
     }
 
-    /// The centre of flotation, m; the origin for no area.
+    /// Returns the centre of flotation, m; the origin if the area is 0.
     pub fn centre(&self) -> Vector3 {
         if self.area > 0.0 { self.first_moments * (1.0 / self.area) } else { Vector3::zero() }
     }
 
-    /// `Int (u . (r - f)) (w . (r - f)) dS` with f the centre of flotation, m^4, along tangents u and w
-    /// of the plane; 0 for no area.
+    /// Returns the second moment `Int (u . (r - f)) (w . (r - f)) dS`, m^4, with the centre of flotation f,
+    /// along tangents u and w of the plane; 0 if the area is 0.
     pub fn second_moment(&self, u: Vector3, w: Vector3) -> f64 {
         if self.area > 0.0 {
             u.dot(self.second_moments * w) - u.dot(self.first_moments) * w.dot(self.first_moments) / self.area

@@ -5,24 +5,24 @@ use super::wetted::{DRY, WettedHull, corner_shares, side};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Vector3, Wrench};
 
-/// The undisturbed sea above, at or below a point.
+/// The undisturbed sea at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LocalWater<S = f64> {
-    /// Elevation of the surface above the point, relative to still water, m.
+    /// Elevation of the surface over the point, relative to still water, m.
     pub elevation: S,
-    /// Pressure of the waves at the point, in addition to the still water's `-rho g z`, N/m^2. At the surface the sum
-    /// should be 0; above it both continue smoothly, because the triangles that are partly wet need it.
+    /// Pressure of the waves at the point, in addition to the still water's `-rho g z`, N/m^2. At the surface
+    /// the sum should be 0; above it both continue smoothly, because partly wet triangles need values there.
     pub dynamic_pressure: S,
 }
 
 impl<S: Scalar> WettedHull<S> {
-    /// Force and moment of the water's pressure on the hull about its origin, in its axes, N and N m: the surface
-    /// integral of `-(-rho g z + p) N` over the part below the wave's surface (Froude-Krylov force and buoyancy
-    /// together; Faltinsen, *Sea Loads on Ships and Offshore Structures*, 1990, ch. 3). `water` gives the sea at a
-    /// point of the world; it is called once per vertex.
+    /// Returns force and moment of the water's pressure on the hull about its origin, in its axes, N and N m:
+    /// the surface integral of `-(-rho g z + p) N` over the part below the wave's surface (Froude-Krylov
+    /// force and buoyancy together; Faltinsen, *Sea Loads on Ships and Offshore Structures*, 1990, ch. 3).
+    /// `water` returns the sea at a point of the world; it is called once per vertex.
     ///
-    /// Elevation and pressure are linear between the vertices, so the error is of second order in
-    /// the size of the triangles; in still water there is none.
+    /// Elevation and pressure are linear between the vertices, so the error is of second order in the size of
+    /// the triangles; in still water it is zero.
     ///
     /// # Panics
     /// When the memory was made for another mesh.
@@ -37,8 +37,9 @@ impl<S: Scalar> WettedHull<S> {
         self.pressure_wrench_below(mesh, hull_in_world, specific_weight, unbounded, water)
     }
 
-    /// Computes the wrench like [`pressure_wrench`](Self::pressure_wrench), to the last bit, if no wave is higher than
-    /// `highest_m` above still water: `water` is not called for vertices above that whose neighbours are all dry.
+    /// Computes a wrench bitwise identical to that of [`pressure_wrench`](Self::pressure_wrench), if no wave
+    /// is higher than `highest_m` above still water: `water` is not called for vertices above `highest_m`
+    /// whose neighbours are all dry.
     ///
     /// # Panics
     /// When the memory was made for another mesh.
@@ -77,13 +78,13 @@ impl<S: Scalar> WettedHull<S> {
                 }
             }
         }
-        // Zero, unless the pose is not finite.
+        // 0, or NaN if the pose is not finite.
         let nothing = hull_in_world.position[2] * S::ZERO;
         self.sum_of_wet_triangles(mesh, nothing)
     }
 
-    /// The sum over all triangles, from the heights, sides and pressures of their corners; plus a force `first` along
-    /// x.
+    /// Returns the sum over all triangles, from the heights, sides and pressures of their corners; plus a
+    /// force `first` along x.
     fn sum_of_wet_triangles(&self, mesh: &HullMesh, first: S) -> Wrench<S> {
         let mut wrench = Wrench::zero();
         wrench.force[0] = first;

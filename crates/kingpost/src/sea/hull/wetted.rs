@@ -1,9 +1,9 @@
 //! Buoyancy of a hull in any position in still water, exact for its mesh.
 //!
-//! Every triangle is cut at the water plane. The pressure is linear, so its integral over the wetted part is a closed
-//! form. With the height `h = z0 + n . r` (n the vertical in hull axes) and N the outward normal, the divergence
-//! theorem over the submerged part needs no waterplane if the integrand vanishes there (as Mirtich, *J. Graphics Tools*
-//! 1(2), 1996, 31-50, for whole polyhedra):
+//! Every triangle is cut at the water plane. The pressure is linear, so its integral over the wetted part has
+//! a closed form. With the height `h = z0 + n . r` (n the vertical in hull axes) and N the outward normal,
+//! the divergence theorem over the submerged part needs no waterplane if the integrand vanishes there (as
+//! Mirtich, *J. Graphics Tools* 1(2), 1996, 31-50, for whole polyhedra):
 //!
 //! ```text
 //! V = Int h n.N dS,     T = Int r h n.N dS = G + n H,     G = Int_V r dV,     H = Int_V h dV
@@ -17,21 +17,21 @@ use super::mesh::HullMesh;
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
 
-/// The water that a hull displaces.
+/// Buoyancy of a hull: the water that it displaces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Buoyancy<S = f64> {
-    /// V: volume of the submerged part, m^3.
+    /// Volume V of the submerged part, m^3.
     pub volume: S,
-    /// G: first moment of the submerged part about the hull's origin, hull axes, m^4.
+    /// First moment G of the submerged part about the hull's origin, hull axes, m^4.
     pub first_moment: Vector3<S>,
-    /// H: integral of the height above the water plane over the submerged part, negative, m^4.
+    /// Integral H of the height above the water plane over the submerged part, negative, m^4.
     pub height_moment: S,
-    /// n: the vertical, hull axes.
+    /// Vertical n, hull axes.
     pub vertical: Vector3<S>,
 }
 
 impl<S: Scalar> Buoyancy<S> {
-    /// Force and moment on the hull about its origin, in its axes, N and N m, in water of this
+    /// Returns force and moment on the hull about its origin, in its axes, N and N m, in water of this
     /// specific weight rho g, N/m^3.
     #[inline]
     pub fn wrench(&self, specific_weight: S) -> Wrench<S> {
@@ -41,25 +41,26 @@ impl<S: Scalar> Buoyancy<S> {
         }
     }
 
-    /// `U = -rho g Int_V z dV`: the work of immersing the hull, J; [`wrench`](Self::wrench) is minus its gradient.
+    /// Returns `U = -rho g Int_V z dV`, the work of submerging the hull, J; [`wrench`](Self::wrench) is minus
+    /// its gradient.
     #[inline]
     pub fn potential_energy(&self, specific_weight: S) -> S {
         -(self.height_moment * specific_weight)
     }
 
-    /// Centre of buoyancy, hull axes, m; NaN for a hull out of the water.
+    /// Returns the centre of buoyancy, hull axes, m; NaN for a hull out of the water.
     #[inline]
     pub fn centre(&self) -> Vector3<S> {
         Vector3(self.first_moment.0.map(|moment| moment / self.volume))
     }
 }
 
-/// The side of the water's surface that a vertex is on; neither if lanes disagree.
+/// Side of the water's surface on which a vertex is: dry, wet, or mixed if lanes disagree.
 pub(super) const DRY: u8 = 0;
 pub(super) const WET: u8 = 1;
 pub(super) const MIXED: u8 = 4;
 
-/// The side of a vertex at this height. NaN is on neither.
+/// Returns the side of a vertex at this height; NaN counts as mixed.
 #[inline]
 pub(super) fn side<S: Scalar>(height: S) -> u8 {
     if height.all(|h| h < 0.0) {
@@ -71,30 +72,30 @@ pub(super) fn side<S: Scalar>(height: S) -> u8 {
     }
 }
 
-/// Working memory of one hull, so that an evaluation allocates nothing.
+/// Working memory for one hull, so that an evaluation allocates nothing.
 #[derive(Clone, Debug)]
 pub struct WettedHull<S = f64> {
     /// Height of each vertex above the water's surface, m.
     pub(super) heights: Vec<S>,
     pub(super) sides: Vec<u8>,
-    /// For each vertex its share in the integrals, or the pressure.
+    /// For each vertex, its share in the integrals, or the pressure.
     pub(super) shares: Vec<S>,
-    /// Whether the water at a vertex is known.
+    /// For each vertex, whether the water there has been evaluated.
     pub(super) asked: Vec<bool>,
 }
 
 impl<S: Scalar> WettedHull<S> {
-    /// Memory for this mesh.
+    /// Creates the memory for this mesh.
     pub fn new(mesh: &HullMesh) -> Self {
         let vertices = mesh.vertices().len();
         let (heights, shares) = (vec![S::ZERO; vertices], vec![S::ZERO; vertices]);
         Self { heights, sides: vec![DRY; vertices], shares, asked: vec![false; vertices] }
     }
 
-    /// The buoyancy of the hull in this position. A position that is not finite gives NaN.
+    /// Returns the buoyancy of the hull in this position. A position that is not finite gives NaN.
     ///
     /// # Panics
-    /// When the memory was made for another mesh.
+    /// If the memory was made for another mesh.
     pub fn buoyancy(&mut self, mesh: &HullMesh, position: &FloatingPosition<S>) -> Buoyancy<S> {
         let FloatingPosition { height, vertical } = *position;
         self.find_heights(mesh, position);
@@ -111,7 +112,7 @@ impl<S: Scalar> WettedHull<S> {
                 self.shares[corner] += area_along_vertical * share;
             }
         }
-        // Zero, unless the height is not finite.
+        // 0, or NaN if the height is not finite.
         let (mut volume, mut moment) = (height * S::ZERO, Vector3::zero());
         for (r, &share) in mesh.vertices().iter().zip(&self.shares) {
             volume += share;
@@ -133,8 +134,9 @@ impl<S: Scalar> WettedHull<S> {
     }
 }
 
-/// For p and f linear over a triangle, with these values of p at its corners, the wetted part gives `Int p f dS = area
-/// / 12 (s_0 f_0 + s_1 f_1 + s_2 f_2)`; these are the s.
+/// Returns the shares s of the corners of a triangle: for p and f linear over the triangle, with these values
+/// of p at its corners, the integral over the wetted part is `Int p f dS = area / 12 (s_0 f_0 + s_1 f_1 + s_2
+/// f_2)`.
 ///
 /// Over a whole triangle `Int p f dS = area / 12 Sum_i (p_i + p_0 + p_1 + p_2) f_i` (from the means of products of
 /// barycentric coordinates, 1/12 and 1/6). If the triangle is cut, either the tip at the single corner is wet, or
@@ -156,19 +158,20 @@ pub(super) fn corner_shares<S: Scalar>(sides: [u8; 3], corners: [usize; 3], heig
     }
 }
 
-/// The corner that is alone on its side.
+/// Returns the corner that is alone on its side.
 #[inline]
 pub(super) fn apex_of([a, b, c]: [u8; 3]) -> usize {
     usize::from(b != c) * (1 + usize::from(a != c))
 }
 
-/// Returns the corners in their order, beginning with this one.
+/// Returns the corners in cyclic order, starting with this one.
 #[inline]
 pub(super) fn from_corner<T: Copy>(first: usize, corners: [T; 3]) -> [T; 3] {
     [first, first + 1, first + 2].map(|k| corners[k % 3])
 }
 
-/// The positions of the water's surface along the edges from the apex, the first corner, from 0 to 1.
+/// Returns the positions, from 0 to 1, at which the water's surface cuts the edges from the apex, which is
+/// the first corner.
 #[inline]
 pub(super) fn cuts<S: Scalar>([apex, b, c]: [S; 3]) -> [S; 2] {
     [apex / (apex - b), apex / (apex - c)]
@@ -186,8 +189,8 @@ fn all_but<S: Scalar>(p: [S; 3], tip: [S; 3]) -> [S; 3] {
     [whole[0] - tip[0], whole[1] - tip[1], whole[2] - tip[2]]
 }
 
-/// Between the first corner and the cuts: a triangle of `b c` of the whole's area. The share of a cut point is divided
-/// between the corners of its edge.
+/// Returns the shares of the tip between the first corner and the cuts: a triangle with `b c` of the whole
+/// area. The share of a cut point is divided between the corners of its edge.
 #[inline]
 fn tip<S: Scalar>(heights: [S; 3], [p_a, p_b, p_c]: [S; 3]) -> [S; 3] {
     let [b, c] = cuts(heights);
@@ -197,7 +200,7 @@ fn tip<S: Scalar>(heights: [S; 3], [p_a, p_b, p_c]: [S; 3]) -> [S; 3] {
     [at_a + at_b * (S::ONE - b) + at_c * (S::ONE - c), at_b * b, at_c * c]
 }
 
-/// Every lane is treated by its own case, so its bits are those of a run alone.
+/// Treats every lane by its own case, so that the result is bitwise identical to that of a run alone.
 fn lane_by_lane<S: Scalar>(h: [S; 3], p: [S; 3]) -> [S; 3] {
     let turned = |apex: usize| (from_corner(apex, h), from_corner(apex, p));
     [0, 1, 2].map(|k| {

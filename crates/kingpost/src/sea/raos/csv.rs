@@ -1,10 +1,10 @@
-//! RAOs as comma-separated values, with conventions stated by the column names.
+//! RAOs as comma-separated values; the column names state the conventions.
 
 use super::{RaoEntry, RaoError, RaoFile, phasor};
 use crate::sea::database::MODES;
 use core::f64::consts::TAU;
 
-/// Names of amplitudes without their units, and their sign in our convention, by mode.
+/// Names of amplitudes without their units, and their sign relative to Kingpost's convention, by mode.
 const SENSES: [&[(&str, f64)]; 6] = [
     &[("surge_forward", 1.0)],
     &[("sway_port", 1.0), ("sway_starboard", -1.0)],
@@ -14,13 +14,13 @@ const SENSES: [&[(&str, f64)]; 6] = [
     &[("yaw_bow_port", 1.0), ("yaw_bow_starboard", -1.0)],
 ];
 
-/// A column and the factor of its numbers.
+/// Index of a column, and the factor of its numbers.
 type ScaledColumn = (usize, f64);
 
-/// From a number in a file to rad/s.
+/// Conversion of a number in a file to rad/s.
 pub(super) type ToRadS = fn(f64) -> f64;
 
-/// The contents of the columns.
+/// Indices of the columns.
 struct RaoColumns {
     direction: ScaledColumn,
     frequency: (usize, ToRadS),

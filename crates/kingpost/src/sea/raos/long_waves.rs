@@ -1,29 +1,30 @@
-//! Longest waves of a table, in which a ship rides the water's surface: heave is 1, and roll and pitch are the slope of
-//! the wave, `k` times its amplitude, across and along the ship.
+//! Check of the longest waves of a table, in which a ship follows the water's surface: heave is 1, and roll
+//! and pitch are the slope of the wave, `k` times its amplitude, across and along the ship.
 
 use super::{MotionResponse, RaoTable};
 use core::f64::consts::{FRAC_PI_2, PI};
 
-/// Degrees in a radian, that much too large or too small, up to this factor, a rotation is of the other unit.
+/// Rotations are in another unit if their ratio to the wave's slope differs by this factor at most from 180 /
+/// pi or its inverse.
 const NEAR: f64 = 3.0;
 const DEGREES: f64 = 180.0 / PI;
-/// Waves are long for a ship whose heave is within these, m/m.
+/// Heave of a ship, m/m, for which a wave counts as long.
 const RIDES: [f64; 2] = [0.75, 1.5];
-/// Only directions are compared that are within 60 degrees of those across or along the ship.
+/// Smallest share of the slope along or across the ship for which a direction is compared: within 60 degrees.
 const LEAST_SHARE: f64 = 0.5;
 
-/// Rotations that are off by about the degrees in a radian.
+/// Finding that rotations are wrong by about the factor 180 / pi.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OtherUnit {
     /// Finding, with the numbers.
     pub found: String,
-    /// Value that is expected, and the likely cause.
+    /// Expected value, and the likely cause.
     pub allowed: String,
-    /// Whether nothing else is likely: roll and pitch both are so, or pitch is too large.
+    /// Whether there is no other likely cause: both roll and pitch are affected, or pitch is too large.
     pub is_sure: bool,
 }
 
-/// A rotation over the slope of the longest wave along or across the ship.
+/// Ratio of a rotation to the slope of the longest wave along or across the ship.
 struct Ratio {
     mode: &'static str,
     ratio: f64,
@@ -32,8 +33,8 @@ struct Ratio {
 }
 
 impl RaoTable {
-    /// Whether roll or pitch in the longest wave, of this number 1/m, is of the other unit than the file says; `None` where
-    /// it is not, or where the longest wave is too short for the ship to say.
+    /// Returns whether roll or pitch in the longest wave, of this wave number 1/m, is in another unit than
+    /// the file states; `None` if it is not, or if the longest wave is too short for this check.
     pub fn other_unit(&self, longest_wave_number_per_m: f64) -> Option<OtherUnit> {
         let k = longest_wave_number_per_m;
         let ratios: Vec<Ratio> = [("roll", 3, 0.0), ("pitch", 4, FRAC_PI_2)]
@@ -60,7 +61,8 @@ impl RaoTable {
         Some(OtherUnit { found, allowed, is_sure })
     }
 
-    /// The median over directions near those across the ship (turn 0) or along it, where heave says that the wave is long.
+    /// Returns the median ratio over directions near the transverse axis of the ship (turn 0) or the
+    /// longitudinal axis, where heave shows that the wave is long.
     fn median_ratio(&self, mode: &'static str, index: usize, turn: f64, k: f64) -> Option<Ratio> {
         let size = |response: &MotionResponse, mode: usize| libm::hypot(response[mode][0], response[mode][1]);
         let ratio = |(direction, responses): (&f64, &Vec<MotionResponse>)| {

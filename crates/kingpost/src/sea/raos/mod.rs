@@ -1,5 +1,5 @@
-//! Displacement RAOs of a ship: its motion in a regular wave of unit amplitude, read from a file that states its
-//! conventions.
+//! Displacement RAOs of a ship: its motion in a regular wave of unit amplitude. They are read from a file
+//! that states its conventions.
 
 mod csv;
 mod long_waves;
@@ -23,7 +23,8 @@ pub struct RaoError {
     pub allowed: String,
 }
 
-/// Difference below which two directions are one, rad: tables have at most five digits of a degree.
+/// Smallest difference of two directions, rad, below which they are equal: tables have at most five digits of
+/// a degree.
 const ONE_DIRECTION_RAD: f64 = 1e-6;
 
 impl RaoError {
@@ -32,29 +33,30 @@ impl RaoError {
     }
 }
 
-/// Surge, sway, heave (m/m), roll, pitch, yaw (rad/m), each real and imaginary: x forward, y to port, z up,
-/// right-handed, with the motion Re{X a e^(-i w t)} for a wave Re{a e^(-i w t)} at the RAOs' origin. A lag is a
-/// positive angle.
+/// Response in surge, sway, heave (m/m), roll, pitch, yaw (rad/m), real and imaginary part of each: x
+/// forward, y to port, z up, right-handed, with the motion Re{X a e^(-i w t)} for a wave Re{a e^(-i w t)} at
+/// the RAOs' origin. A positive angle is a lag.
 pub type MotionResponse<S = f64> = [[S; 2]; 6];
 
 /// Displacement RAOs over wave direction and frequency.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RaoTable {
-    /// The point whose motion they give, in the file's vessel axes, m.
+    /// Point whose motion the RAOs give, in the file's vessel axes, m.
     pub origin_m: [f64; 3],
-    /// The point whose wave the phases refer to, in the same axes, m.
+    /// Point of the wave to which the phases refer, in the same axes, m.
     pub phase_origin_m: [f64; 3],
-    /// Whether port and starboard are alike, if the file states it.
+    /// Whether port and starboard are symmetric, if the file states it.
     pub symmetric: Option<bool>,
-    /// Directions that waves go to, from the x axis counter-clockwise, rad, increasing within one turn.
+    /// Propagation directions of the waves, from the x axis counter-clockwise, rad, increasing within one
+    /// turn.
     directions_rad: Vec<f64>,
     /// Frequencies, rad/s, increasing.
     frequencies_rad_s: Vec<f64>,
-    /// By direction and frequency.
+    /// Responses by direction and frequency.
     responses: Vec<Vec<MotionResponse>>,
 }
 
-/// One line of a file.
+/// An entry of a file: a wave, and the response to it.
 struct RaoEntry {
     direction_rad: f64,
     frequency_rad_s: f64,
@@ -69,11 +71,11 @@ struct RaoFile {
     symmetric: Option<bool>,
 }
 
-/// Angles or frequencies closer than this are equal, rad and rad/s.
+/// Smallest difference of angles, rad, or frequencies, rad/s, below which they are equal.
 const SAME: f64 = 1e-9;
 
 impl RaoTable {
-    /// From the text of a file: OrcaFlex's YAML if it has `VesselTypes`, else CSV.
+    /// Reads the text of a file: OrcaFlex's YAML if it contains `VesselTypes`, otherwise CSV.
     ///
     /// The first line of the CSV has names that state the conventions: `direction_to_deg` (where the waves go to, from
     /// x counter-clockwise: 180 is a head sea); `period_s`, `frequency_rad_s` or `frequency_Hz`; and for each motion
@@ -131,8 +133,8 @@ impl RaoTable {
         Ok(())
     }
 
-    /// Returns the table over the whole circle. If `symmetric` says that port and starboard are alike, directions from
-    /// 0 to 180 degrees are enough.
+    /// Returns the table over the whole circle. If `symmetric` states that port and starboard are symmetric,
+    /// directions from 0 to 180 degrees are enough.
     ///
     /// # Errors
     /// A gap of more than a quarter of the circle between directions; a half circle without a statement of symmetry.
@@ -165,18 +167,19 @@ impl RaoTable {
         }
     }
 
-    /// Whether a frequency is within those of the table.
+    /// Returns whether a frequency is within those of the table.
     pub fn covers(&self, frequency_rad_s: f64) -> bool {
         let [lowest, highest] = self.band_rad_s();
         (lowest..=highest).contains(&frequency_rad_s)
     }
 
-    /// The lowest frequency and the highest, rad/s.
+    /// Returns the lowest and the highest frequency, rad/s.
     pub fn band_rad_s(&self) -> [f64; 2] {
         [self.frequencies_rad_s[0], self.frequencies_rad_s[self.frequencies_rad_s.len() - 1]]
     }
 
-    /// The real and imaginary parts, linear between the nearest directions and frequencies; zero outside.
+    /// Returns the real and imaginary parts of the response, interpolated linearly between the nearest
+    /// directions and frequencies; zero outside the table.
     pub fn at<S: Scalar>(&self, frequency_rad_s: f64, direction_rad: S) -> MotionResponse<S> {
         if !self.covers(frequency_rad_s) {
             return [[S::ZERO; 2]; 6];
@@ -190,7 +193,7 @@ impl RaoTable {
             })
         };
         let found: [S; 26] = S::from_values([direction_rad], &between);
-        // The share has the value that was found and the slope of the direction in its interval.
+        // The share has its present value, and its derivative with respect to the direction.
         let [there] = S::from_values([direction_rad], &|direction| direction);
         let share = found[0] + (direction_rad - there) / found[1];
         core::array::from_fn(|mode| {
@@ -201,7 +204,8 @@ impl RaoTable {
         })
     }
 
-    /// Position of a direction between the two nearest ones, their distance in rad, and the responses at both.
+    /// Returns the position of a direction between the two nearest ones, the angle between these, rad, and
+    /// the responses at both.
     fn between_directions(&self, frequency_rad_s: f64, direction_rad: f64) -> (f64, f64, [MotionResponse; 2]) {
         let n = self.directions_rad.len();
         let first = self.directions_rad[0];
@@ -222,13 +226,13 @@ impl RaoTable {
     }
 }
 
-/// The response to the mirrored wave.
+/// Returns the response to the mirrored wave.
 fn mirror(response: &MotionResponse) -> MotionResponse {
     let sign = |mode: usize| if mode.is_multiple_of(2) { 1.0 } else { -1.0 };
     core::array::from_fn(|mode| response[mode].map(|part| sign(mode) * part))
 }
 
-/// A e^(i lag).
+/// Returns A e^(i lag).
 fn phasor(amplitude: f64, lag_rad: f64) -> [f64; 2] {
     let (sin, cos) = libm::sincos(lag_rad);
     [amplitude * cos, amplitude * sin]

@@ -1,11 +1,11 @@
-//! RAOs in OrcaFlex's YAML, with conventions stated by the vessel type.
+//! RAOs in OrcaFlex's YAML; the vessel type states the conventions.
 
 use super::csv::ToRadS;
 use super::{RaoEntry, RaoError, RaoFile, phasor};
 use core::f64::consts::{PI, TAU};
 use serde_json::Value;
 
-/// The key of a table of one direction.
+/// Key of the table of one direction.
 const COLUMNS: &str = "RAOPeriodOrFrequency, RAOSurgeAmp, RAOSurgePhase, RAOSwayAmp, RAOSwayPhase, RAOHeaveAmp, \
                        RAOHeavePhase, RAORollAmp, RAORollPhase, RAOPitchAmp, RAOPitchPhase, RAOYawAmp, RAOYawPhase";
 
@@ -44,7 +44,7 @@ fn only<'a>(list: &'a Value, name: &str) -> Result<&'a Value, RaoError> {
     }
 }
 
-/// A point; `None` for `[~, ~, ~]` and for a missing entry.
+/// Reads a point; `None` for `[~, ~, ~]` and for a missing entry.
 fn point(value: &Value, field: &str) -> Result<Option<[f64; 3]>, RaoError> {
     match value.as_array().map(Vec::as_slice) {
         None if value.is_null() => Ok(None),
@@ -57,12 +57,12 @@ fn point(value: &Value, field: &str) -> Result<Option<[f64; 3]>, RaoError> {
     }
 }
 
-/// The conventions of a vessel type.
+/// Conventions of a vessel type.
 struct Conventions {
     to_rad_s: ToRadS,
     /// Factors of the amplitudes, by mode, to m/m and rad/m.
     factors: [f64; 6],
-    /// From a phase to a lag behind the crest: factor and offset, rad.
+    /// Conversion of a phase to a lag behind the crest: factor and offset, rad.
     lag: [f64; 2],
     symmetric: bool,
 }
@@ -83,7 +83,7 @@ impl Conventions {
         ];
         let way = choice(vessel, "RAOPhaseConvention", &[("lags", 1.0), ("leads", -1.0)])?;
         let unit = choice(vessel, "RAOPhaseUnitsConvention", &[("degrees", 1.0_f64.to_radians()), ("radians", 1.0)])?;
-        // The event that passes the origin at this phase after the crest.
+        // Event of the wave at the origin to which phases refer, as its phase after the crest.
         let references =
             [("crest", 0.0), ("zero down-crossing", PI / 2.0), ("trough", PI), ("zero up-crossing", 1.5 * PI)];
         let after = choice(vessel, "RAOPhaseRelativeToConvention", &references)?;
@@ -112,9 +112,9 @@ impl Conventions {
     }
 }
 
-/// The meaning of a convention that must be stated.
+/// Returns the meaning of a convention, which must be stated.
 fn choice<T: Copy>(vessel: &Value, name: &str, choices: &[(&str, T)]) -> Result<T, RaoError> {
-    // YAML reads a bare None as a word, and ~ as nothing.
+    // YAML reads None as a text, and ~ as null.
     let found = vessel[name].as_str();
     let chosen = choices.iter().find(|(word, _)| found == Some(*word));
     chosen.map(|(_, meaning)| *meaning).ok_or_else(|| {

@@ -1,5 +1,5 @@
-//! The sea at a body that is small compared with the waves: the surface, locally a plane, and the water's motion at one
-//! depth.
+//! The sea at a body that is small compared with the waves: the surface, approximated by a plane, and the
+//! water's motion at one depth.
 
 use core::f64::consts::{LN_2, LOG2_E};
 
@@ -8,10 +8,10 @@ use super::stretching::StretchedHeight;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
-/// The surface of the sea above a point, with its rates there.
+/// Surface of the sea over a point, with its derivatives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LocalSurface<S = f64> {
-    /// Above the still water, m.
+    /// Elevation above the still water, m.
     pub elevation: S,
     /// Slopes along the world's x and y.
     pub slopes: [S; 2],
@@ -19,12 +19,12 @@ pub struct LocalSurface<S = f64> {
     pub rate: S,
     /// Rates of the slopes, 1/s.
     pub slope_rates: [S; 2],
-    /// Derivatives of the slopes along x and y: xx, xy and yy, 1/m.
+    /// Second derivatives of the elevation: xx, xy and yy, 1/m.
     pub curvatures: [S; 3],
 }
 
 impl<S: Scalar> LocalSurface<S> {
-    /// Still water.
+    /// Returns the surface of still water.
     pub fn still() -> Self {
         let zero = S::ZERO;
         let (slopes, slope_rates, curvatures) = ([zero; 2], [zero; 2], [zero; 3]);
@@ -32,7 +32,7 @@ impl<S: Scalar> LocalSurface<S> {
     }
 }
 
-/// The waves over one point of the world at one time: their sines are computed once, for surface and motion.
+/// Waves at one point of the world and one time; their sines are computed once, for both surface and motion.
 ///
 /// ```
 /// use kingpost::sea::waves::{Water, WaveComponent, WaveField, WavesAtBody};
@@ -50,7 +50,7 @@ impl<S: Scalar> LocalSurface<S> {
 /// ```
 #[derive(Clone, Debug)]
 pub struct WavesAtBody<S = f64> {
-    /// a cos q and a sin q of each wave, the ramp included.
+    /// a cos q and a sin q of each wave, with the ramp applied.
     real: Vec<S>,
     imaginary: Vec<S>,
     /// kx and ky of each wave, 1/m; k / ln 2; w, rad/s; g / w.
@@ -61,7 +61,7 @@ pub struct WavesAtBody<S = f64> {
 }
 
 impl<S: Scalar> WavesAtBody<S> {
-    /// Memory for these waves.
+    /// Creates the working memory for these waves.
     pub fn new(field: &WaveField<S>) -> Self {
         let none = || vec![S::ZERO; field.len()];
         let gravity = S::constant(field.water().gravity_m_s2);
@@ -79,7 +79,7 @@ impl<S: Scalar> WavesAtBody<S> {
         }
     }
 
-    /// The surface over a point (x, y), world, m.
+    /// Computes the surface over a point (x, y), world, m.
     pub fn surface(&mut self, field: &WaveField<S>, point: [S; 2], time_s: f64) -> LocalSurface<S> {
         let Self { real, imaginary, wave_numbers, frequencies, .. } = self;
         field.phasors(point, time_s, real, imaginary);
@@ -98,7 +98,7 @@ impl<S: Scalar> WavesAtBody<S> {
             sum.curvatures[1] -= xy * cos;
             sum.curvatures[2] -= yy * cos;
         }
-        // The phasors contain the ramp; the rate of the ramp moves the surface too.
+        // The phasors contain the ramp factor; the rate of the ramp contributes to the surface's rate.
         let [ramp, ramp_rate, _] = field.ramp_and_rates(time_s);
         if ramp_rate != 0.0 && ramp > 0.0 {
             let growth = S::constant(ramp_rate / ramp);
@@ -108,8 +108,8 @@ impl<S: Scalar> WavesAtBody<S> {
         sum
     }
 
-    /// Velocity (m/s) and local acceleration (m/s^2) of the water under the point of the last [`surface`](Self::surface), at a
-    /// height z, m: those of [`WaveField::kinematics`].
+    /// Computes velocity (m/s) and local acceleration (m/s^2) of the water under the point of the last
+    /// [`surface`](Self::surface), at a height z, m; they equal those of [`WaveField::kinematics`].
     pub fn motion(&self, field: &WaveField<S>, elevation: S, z: S) -> [Vector3<S>; 2] {
         let StretchedHeight { z: level_z, rise } = field.height(z, elevation);
         let (depth, rise) = (field.water().depth_m, rise * S::constant(LN_2));

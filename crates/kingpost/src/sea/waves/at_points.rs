@@ -7,14 +7,14 @@ use super::stretching::{StretchedHeight, Stretching};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
-/// Largest rounding by which a sum of waves exceeds the sum of their amplitudes.
+/// Largest rounding error by which a sum of waves can exceed the sum of their amplitudes, as a share.
 const ROUNDING: f64 = 1e-9;
 
-/// Waves at one time, for a mesh that asks for elevation and pressure at every vertex.
+/// Waves at one time, for a mesh that needs elevation and pressure at every vertex.
 ///
-/// They equal those of [`WaveField::kinematics`] except for rounding. Terms that all points share are computed once for
-/// each time, only cosines of the phases are needed, and exponentials are powers of two. It stores computed values, not
-/// the waves: every call needs the field that it was made for.
+/// They equal those of [`WaveField::kinematics`] except for rounding. Terms that all points share are
+/// computed once for each time, only cosines of the phases are needed, and exponentials are powers of two.
+/// Only computed values are stored, not the waves: every call needs the field for which the object was made.
 ///
 /// ```
 /// use kingpost::sea::waves::{Water, WaveComponent, WaveField, WavesAtPoints};
@@ -32,19 +32,20 @@ const ROUNDING: f64 = 1e-9;
 /// ```
 #[derive(Clone, Debug)]
 pub struct WavesAtPoints<S = f64> {
-    /// k / ln 2: e^kz as a power of two.
+    /// k / ln 2: e^kz is computed as a power of two.
     doublings_per_m: Vec<S>,
-    /// Phase of each wave at the world's origin now, in turns; and its amplitude now, m.
+    /// Phase of each wave at the world's origin at the present time, in turns; and its amplitude at this
+    /// time, m.
     phases: Vec<S>,
     amplitudes: Vec<S>,
     highest_m: S,
-    /// Memory: a cos q of each wave at a point, and a C cos q.
+    /// Working memory: a cos q of each wave at a point, and a C cos q.
     elevations: Vec<S>,
     heads: Vec<S>,
 }
 
 impl<S: Scalar> WavesAtPoints<S> {
-    /// Takes the waves of a field at the time 0.
+    /// Creates the working memory for the waves of a field, at time 0.
     pub fn new(field: &WaveField<S>) -> Self {
         let doublings = S::constant(LOG2_E);
         let doublings_per_m = field.components().map(|wave| wave.wave_number_per_m * doublings).collect();
@@ -70,17 +71,20 @@ impl<S: Scalar> WavesAtPoints<S> {
         self.highest_m = highest * S::constant(1.0 + ROUNDING);
     }
 
-    /// An upper bound of the surface now: the sum of all amplitudes, m above still water.
+    /// Returns an upper bound of the surface at the present time: the sum of all amplitudes, m above still
+    /// water.
     pub fn highest_m(&self) -> S {
         self.highest_m
     }
 
-    /// Elevation over a point of the world, m, and the dynamic pressure there, Pa, by the field's stretching.
+    /// Returns the elevation over a point of the world, m, and the dynamic pressure at the point, Pa, by the
+    /// field's stretching.
     pub fn at(&mut self, field: &WaveField<S>, point: Vector3<S>) -> [S; 2] {
         let elevation = self.elevation_m(field, [point[0], point[1]]);
         let height = field.height(point[2], elevation);
         let weight = S::constant(field.water().gravity_m_s2 * field.water().density_kg_m3);
-        // At the still water level there is no decay, and over Wheeler's and the vertical method's crests neither.
+        // The decay factor is 1 at the still water level, and above it with Wheeler's and with vertical
+        // stretching.
         let head = if field.stretching() == Stretching::Extrapolated {
             self.extrapolated_head_m(field, height)
         } else if height.z.all(|z| z >= 0.0) {
@@ -92,7 +96,7 @@ impl<S: Scalar> WavesAtPoints<S> {
         [elevation, field.stretching().pressure(point[2], weight, head * weight)]
     }
 
-    /// Sum of a cos q, and each of them in the memory.
+    /// Returns the sum of a cos q, and stores each term.
     fn elevation_m(&mut self, field: &WaveField<S>, [x, y]: [S; 2]) -> S {
         let count = self.elevations.len();
         let turns = &field.turns;
@@ -105,7 +109,7 @@ impl<S: Scalar> WavesAtPoints<S> {
         sum(&self.elevations)
     }
 
-    /// Sum of a C cos q at a height below the still water, m.
+    /// Returns the sum of a C cos q at a height below the still water, m.
     fn head_m(&mut self, field: &WaveField<S>, z: S) -> S {
         let count = self.heads.len();
         let (heads, elevations) = (&mut self.heads[..count], &self.elevations[..count]);
@@ -128,12 +132,12 @@ impl<S: Scalar> WavesAtPoints<S> {
         sum(heads)
     }
 
-    /// Sum of a C cos q where C continues along its tangent k D above the still water level.
+    /// Returns the sum of a C cos q where C continues along its tangent k D above the still water level.
     fn extrapolated_head_m(&mut self, field: &WaveField<S>, height: StretchedHeight<S>) -> S {
         let head = self.head_m(field, height.z);
         let rise = height.rise * S::constant(LN_2);
         for (i, head) in self.heads.iter_mut().enumerate() {
-            // D = tanh kh at the still water level: 2 / (1 + e^-2kh) - 1, over infinite depth 1.
+            // D = tanh kh at the still water level: 2 / (1 + e^-2kh) - 1; 1 in infinite depth.
             let upward = field.bottom_scales[i] * S::constant(2.0) - S::ONE;
             let upward = if field.water().depth_m.is_some() { upward } else { S::ONE };
             *head = self.elevations[i] * (self.doublings_per_m[i] * rise * upward);
@@ -142,7 +146,7 @@ impl<S: Scalar> WavesAtPoints<S> {
     }
 }
 
-/// A sum in a fixed order, in four strands that a processor can add in parallel.
+/// Returns a sum in a fixed order, in four partial sums that a processor can add in parallel.
 fn sum<S: Scalar>(numbers: &[S]) -> S {
     let mut strands = [S::ZERO; 4];
     let (fours, rest) = numbers.as_chunks::<4>();

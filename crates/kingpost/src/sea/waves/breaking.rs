@@ -5,7 +5,7 @@ use super::error::WaveError;
 use super::water::Water;
 use core::f64::consts::TAU;
 
-/// Height over length at which a wave breaks in deep water (Michell 1893).
+/// Steepness H / L at which a wave breaks in deep water (Michell 1893).
 const STEEPEST: f64 = 0.142;
 
 /// The height, m, at which a wave of this period breaks: 0.142 L tanh(k h) (Miche 1944; DNV-RP-C205, 3.4.6).
@@ -22,7 +22,7 @@ pub fn breaking_height_m(period_s: f64, water: &Water) -> f64 {
     STEEPEST * TAU / k * water.depth_m.map_or(1.0, |depth_m| libm::tanh(k * depth_m))
 }
 
-/// An error if waves of this height would have broken; `field` is the name of the height's field.
+/// Returns an error if waves of this height would break; `field` is the name of the height's field.
 pub(crate) fn unbroken(field: &str, height_m: f64, period_s: f64, water: &Water) -> Result<(), WaveError> {
     let most = breaking_height_m(period_s, water);
     if height_m <= most {

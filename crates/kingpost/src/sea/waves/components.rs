@@ -16,14 +16,14 @@ pub struct WaveComponent<S = f64> {
     pub angular_frequency_rad_s: S,
     /// Wave number k, 1/m.
     pub wave_number_per_m: S,
-    /// Direction b that the wave goes to, from the world's x counter-clockwise, rad.
+    /// Propagation direction b, from the world's x counter-clockwise, rad.
     pub direction_rad: S,
-    /// Phase at the world's origin at time 0, rad; 0 puts a crest there.
+    /// Phase at the world's origin at time 0, rad; with 0 a crest is at the origin.
     pub phase_rad: S,
 }
 
 impl WaveComponent {
-    /// The wave of this angular frequency in this water.
+    /// Returns the wave of this angular frequency in this water.
     pub fn in_water(
         water: &Water,
         amplitude_m: f64,
@@ -35,7 +35,7 @@ impl WaveComponent {
         Self { amplitude_m, angular_frequency_rad_s, wave_number_per_m, direction_rad, phase_rad }
     }
 
-    /// A regular wave by its height from trough to crest, twice the amplitude.
+    /// Returns a regular wave with this height from trough to crest, twice the amplitude.
     ///
     /// ```
     /// use kingpost::sea::waves::{Water, WaveComponent};
@@ -75,7 +75,8 @@ impl WaveComponent {
 }
 
 impl<S: Scalar> WaveComponent<S> {
-    /// The wave with plain numbers: all except the amplitude are part of the structure of a run, which all lanes share.
+    /// Returns the wave in plain numbers: all except the amplitude belong to the structure of a run, which
+    /// all lanes share.
     pub fn plain(&self) -> WaveComponent {
         WaveComponent {
             amplitude_m: self.amplitude_m.value(),
@@ -87,13 +88,13 @@ impl<S: Scalar> WaveComponent<S> {
     }
 }
 
-/// Largest number of waves from one input.
+/// Largest number of waves of one wave system.
 pub const MOST_COMPONENTS: usize = 20_000;
 
-/// Angles that an input may have, rad.
+/// Smallest and largest angle of an input, rad.
 pub(crate) const ANGLES_RAD: [f64; 2] = [-1e4, 1e4];
 
-/// Significant wave height of a sum of waves, m: 4 sqrt(sum of a^2 / 2).
+/// Returns the significant wave height of a sum of waves, m: 4 sqrt(sum of a^2 / 2).
 pub fn significant_height_of_components_m(components: &[WaveComponent]) -> f64 {
     4.0 * libm::sqrt(components.iter().map(|wave| 0.5 * wave.amplitude_m * wave.amplitude_m).sum())
 }

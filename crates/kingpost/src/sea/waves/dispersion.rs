@@ -1,4 +1,4 @@
-//! The dispersion relation of linear waves, w^2 = g k tanh(k h).
+//! Dispersion relation of linear waves, w^2 = g k tanh(k h).
 //!
 //! Newman, *Marine Hydrodynamics* (1977), ch. 6; Faltinsen, *Sea Loads on Ships and Offshore
 //! Structures* (1990), table 2.1.
@@ -24,9 +24,9 @@ pub fn wave_number(angular_frequency_rad_s: f64, water: &Water) -> f64 {
     }
 }
 
-/// x > 0 with x tanh x = a. As tanh x is below 1 and below x, and grows, the root lies between
-/// max(a, sqrt a) and a / tanh a. Newton's method starts from Eckart's x = a / sqrt(tanh a), which is
-/// within 5 % of it (Eckart 1952).
+/// Returns x > 0 with x tanh x = a. As tanh x increases and is below both 1 and x, the root lies between
+/// max(a, sqrt a) and a / tanh a. Newton's method starts from Eckart's x = a / sqrt(tanh a), which is within
+/// 5 % of the root (Eckart 1952).
 fn root_of_x_tanh_x(a: f64) -> f64 {
     let least = a.max(libm::sqrt(a));
     let most = (a / libm::tanh(a)).max(least);
@@ -51,7 +51,8 @@ pub fn group_velocity_m_s(angular_frequency_rad_s: f64, water: &Water) -> f64 {
         return water.gravity_m_s2 / (2.0 * frequency);
     };
     let k = wave_number(frequency, water);
-    // The group velocity is sqrt(gh) (1 - (kh)^2 / 2): the difference is below rounding.
+    // For long waves the group velocity is sqrt(gh) (1 - (kh)^2 / 2): the difference from sqrt(gh) is below
+    // rounding.
     if k * depth_m < 1e-8 {
         return libm::sqrt(water.gravity_m_s2 * depth_m);
     }
@@ -71,8 +72,8 @@ mod tests {
     }
 
     proptest! {
-        /// The condition of the root: d ln(w^2) / d ln k lies between 1 and 2, so rounding of k gives
-        /// at most twice that of w^2.
+        /// Condition number of the root: d ln(w^2) / d ln k lies between 1 and 2, so the rounding error of
+        /// w^2 is at most twice that of k.
         #[test]
         fn the_wave_number_fulfils_the_dispersion_relation(w in 1e-3..50.0_f64, h in 0.01..2e4_f64) {
             let k = wave_number(w, &water(h));
@@ -80,7 +81,7 @@ mod tests {
             prop_assert!(residual.abs() < 8.0 * f64::EPSILON, "{w} rad/s over {h} m: {residual:e}");
         }
 
-        /// Central difference of order 2: with a step of 1e-4 of k its error is about 1e-8.
+        /// Central difference of order 2: with a step of 1e-4 of k, its error is about 1e-8.
         #[test]
         fn the_group_velocity_is_the_slope_of_the_dispersion_relation(w in 0.05..5.0_f64, h in 1.0..500.0_f64) {
             let k = wave_number(w, &water(h));
@@ -92,7 +93,7 @@ mod tests {
 
     /// From x tanh x = x^2 - x^4 / 3 + ...: with a = x tanh x, x = sqrt(a) (1 + a / 6 + O(a^2)).
     #[test]
-    fn long_waves_run_at_the_root_of_g_h() {
+    fn long_waves_propagate_at_the_root_of_g_h() {
         let (h, w) = (10.0, 0.01);
         let x = wave_number(w, &water(h)) * h;
         let first_order = w * libm::sqrt(h / G);
@@ -111,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn frequencies_that_are_no_waves_do_not_hang() {
+    fn invalid_frequencies_do_not_cause_an_endless_search() {
         assert_eq!(wave_number(0.0, &water(10.0)), 0.0);
         assert!(wave_number(f64::NAN, &water(10.0)).is_nan());
         assert_eq!(wave_number(1e200, &water(10.0)), f64::INFINITY);

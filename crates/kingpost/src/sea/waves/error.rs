@@ -1,10 +1,10 @@
-//! Errors of the data of a sea.
+//! Errors in the data of a sea.
 
 use core::fmt::Display;
 
 use thiserror::Error;
 
-/// A quantity of which no sea can be made. The field has its name in the scenario.
+/// A quantity outside its allowed range. The field has its name in the scenario.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("{field}: found {found}, allowed: {allowed}")]
 pub struct WaveError {
@@ -17,16 +17,16 @@ pub struct WaveError {
 }
 
 impl WaveError {
-    /// An error of this quantity.
+    /// Returns an error of this quantity.
     pub fn new(field: impl Into<String>, found: impl Display, allowed: impl Into<String>) -> Self {
         Self { field: field.into(), found: found.to_string(), allowed: allowed.into() }
     }
 }
 
-/// The number, if it lies between the two limits, both allowed.
+/// Returns the number if it is between the two limits, which are both allowed.
 ///
 /// # Errors
-/// When it does not, or is NaN.
+/// If it is outside the limits, or NaN.
 pub(crate) fn between(field: &str, number: f64, [least, most]: [f64; 2]) -> Result<f64, WaveError> {
     if number >= least && number <= most {
         return Ok(number);
@@ -34,7 +34,7 @@ pub(crate) fn between(field: &str, number: f64, [least, most]: [f64; 2]) -> Resu
     Err(WaveError::new(field, number, format!("a number from {least} to {most}")))
 }
 
-/// Heights that a wave may have, m: from the models of a tank to beyond every sea.
+/// Smallest and largest height of a wave, m: from model tests to more than any sea.
 pub(crate) const HEIGHTS_M: [f64; 2] = [1e-6, 100.0];
-/// Periods that a wave may have, s.
+/// Smallest and largest period of a wave, s.
 pub(crate) const PERIODS_S: [f64; 2] = [1e-2, 1e3];

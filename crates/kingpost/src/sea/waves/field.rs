@@ -1,4 +1,4 @@
-//! The field of linear waves: elevation, pressure, velocity and acceleration of the water.
+//! Field of linear waves: elevation, pressure, velocity and acceleration of the water.
 
 use core::f64::consts::TAU;
 
@@ -34,12 +34,12 @@ pub struct WaveField<S = f64> {
     pub(super) turns: PhaseTurns<S>,
     /// 1 / (1 + e^-2kh) of each wave.
     pub(super) bottom_scales: Vec<S>,
-    /// How often its waves have been replaced.
+    /// Number of times that the waves have been replaced.
     realisation: u64,
 }
 
-/// The coefficients of the waves' phases, in turns of 2 pi rad and one array each, so that a loop over the waves
-/// becomes SIMD code.
+/// Coefficients of the waves' phases, in turns of 2 pi rad, in one array for each coefficient, so that a loop
+/// over the waves becomes SIMD code.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct PhaseTurns<S> {
     pub(super) x_per_m: Vec<S>,
@@ -48,7 +48,7 @@ pub(super) struct PhaseTurns<S> {
     pub(super) phase: Vec<S>,
 }
 
-/// The motion and pressure of the water at a point.
+/// Motion and pressure of the water at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WaveKinematics<S = f64> {
     /// Elevation of the surface above the point, m.
@@ -65,8 +65,8 @@ pub struct WaveKinematics<S = f64> {
 const BLOCK: usize = 16;
 
 impl<S: Scalar> WaveField<S> {
-    /// The field of these waves in this water, growing from rest over this time; 0 for waves that are
-    /// there at once.
+    /// Creates the field of these waves in this water, with amplitudes that grow from 0 over the ramp time;
+    /// with 0 s the waves have their full amplitudes from the start.
     pub fn new(waves: &[WaveComponent<S>], water: Water, ramp_s: f64) -> Self {
         let turn = S::constant(1.0 / TAU);
         let of_each = |f: &dyn Fn(&WaveComponent<S>) -> S| waves.iter().map(f).collect::<Vec<S>>();
@@ -83,20 +83,20 @@ impl<S: Scalar> WaveField<S> {
         Self { waves: waves.to_vec(), water, ramp_s, stretching, amplitudes_m, turns, bottom_scales, realisation: 0 }
     }
 
-    /// Field of the same waves whose kinematics continue to the moving surface by this method.
+    /// Returns the field of the same waves with this stretching.
     pub fn with_stretching(self, stretching: Stretching) -> Self {
         Self { stretching, ..self }
     }
 
-    /// Method by which kinematics continue to the moving surface.
+    /// Returns the stretching: the method by which kinematics continue to the moving surface.
     pub fn stretching(&self) -> Stretching {
         self.stretching
     }
 
-    /// Another sea with the same frequencies and directions: a new amplitude, m, and phase, rad, for each wave.
+    /// Replaces amplitude, m, and phase, rad, of each wave; frequencies and directions stay.
     ///
     /// # Panics
-    /// When a slice does not have one entry per wave.
+    /// If a slice does not have one entry per wave.
     pub fn set_realisation(&mut self, amplitudes_m: &[S], phases_rad: &[S]) {
         assert_eq!((amplitudes_m.len(), phases_rad.len()), (self.len(), self.len()), "one entry a wave");
         for (wave, (amplitude, phase)) in self.waves.iter_mut().zip(amplitudes_m.iter().zip(phases_rad)) {
@@ -108,37 +108,38 @@ impl<S: Scalar> WaveField<S> {
         self.realisation += 1;
     }
 
-    /// How often its waves have been replaced: values computed from them are valid for one of these numbers.
+    /// Returns how many times the waves have been replaced: values computed from the waves are valid for one
+    /// of these numbers.
     pub fn realisation(&self) -> u64 {
         self.realisation
     }
 
-    /// Still water.
+    /// Returns still water.
     pub fn calm(water: Water) -> Self {
         Self::new(&[], water, 0.0)
     }
 
-    /// Number of waves.
+    /// Returns the number of waves.
     pub fn len(&self) -> usize {
         self.waves.len()
     }
 
-    /// Whether the water is still.
+    /// Returns whether the water is still.
     pub fn is_empty(&self) -> bool {
         self.waves.is_empty()
     }
 
-    /// The waves, in the order of [`Self::phasors`].
+    /// Returns the waves, in the order of [`Self::phasors`].
     pub fn components(&self) -> impl ExactSizeIterator<Item = &WaveComponent<S>> {
         self.waves.iter()
     }
 
-    /// The water.
+    /// Returns the water.
     pub fn water(&self) -> &Water {
         &self.water
     }
 
-    /// The factor of the amplitudes at this time: [`ramp`].
+    /// Returns the factor of the amplitudes at this time: [`ramp`].
     pub fn ramp(&self, time_s: f64) -> f64 {
         let [share, ..] = self.ramp_and_rates(time_s);
         share
@@ -149,7 +150,7 @@ impl<S: Scalar> WaveField<S> {
         ramp(time_s, self.ramp_s)
     }
 
-    /// Elevation of the surface, m, at a point (x, y), world, m.
+    /// Returns the elevation of the surface, m, at a point (x, y), world, m.
     pub fn elevation_m(&self, point: [S; 2], time_s: f64) -> S {
         let (mut sum, mut real, mut imaginary) = (S::ZERO, [S::ZERO; BLOCK], [S::ZERO; BLOCK]);
         for first in (0..self.waves.len()).step_by(BLOCK) {
@@ -162,12 +163,12 @@ impl<S: Scalar> WaveField<S> {
         sum * S::constant(self.ramp(time_s))
     }
 
-    /// The complex elevation a e^(i q) of every wave at a point (x, y), world, m, the ramp included, in
-    /// the order of [`Self::components`]: a load whose transfer function is X is the sum of
-    /// Re{X a e^(i q)}.
+    /// Writes the complex elevation a e^(i q) of every wave at a point (x, y), world, m, with the ramp
+    /// applied, in the order of [`Self::components`]: a load with the transfer function X is the sum of Re{X
+    /// a e^(i q)}.
     ///
     /// # Panics
-    /// When a slice does not have one entry per wave.
+    /// If a slice does not have one entry per wave.
     pub fn phasors(&self, point: [S; 2], time_s: f64, real: &mut [S], imaginary: &mut [S]) {
         assert_eq!((real.len(), imaginary.len()), (self.waves.len(), self.waves.len()), "one entry a wave");
         self.unit_phasors(0, point, time_s, real, imaginary);
@@ -179,7 +180,7 @@ impl<S: Scalar> WaveField<S> {
         }
     }
 
-    /// e^(i q) of the waves from the first given, as many as the slices are long.
+    /// Writes e^(i q) of as many waves as the slices are long, from the wave `first` on.
     fn unit_phasors(&self, first: usize, [x, y]: [S; 2], time_s: f64, real: &mut [S], imaginary: &mut [S]) {
         let (time, count) = (S::constant(time_s), real.len());
         let range = first..first + count;
@@ -192,14 +193,15 @@ impl<S: Scalar> WaveField<S> {
         }
     }
 
-    /// The linear field at a point, world, m. It is defined up to the still water and down to the
-    /// bottom; a point beyond gets the values there, so that short waves do not grow above it.
+    /// Returns the linear field at a point, world, m. The field is defined from the bottom to the still water
+    /// level; a point outside this range gets the values at its end, so that short waves do not grow above
+    /// the level.
     pub fn linear_kinematics(&self, point: Vector3<S>, time_s: f64) -> WaveKinematics<S> {
         let [x, y, z] = point.0;
         self.kinematics_at([x, y], Stretching::Vertical.height(z, S::ZERO, self.water.depth_m), time_s)
     }
 
-    /// Linear field over (x, y), continued from its height in still water.
+    /// Returns the linear field over (x, y), continued from its height in still water.
     fn kinematics_at(&self, [x, y]: [S; 2], height: StretchedHeight<S>, time_s: f64) -> WaveKinematics<S> {
         let (mut real, mut imaginary) = ([S::ZERO; BLOCK], [S::ZERO; BLOCK]);
         let (mut elevation, mut head) = (S::ZERO, S::ZERO);
@@ -228,14 +230,14 @@ impl<S: Scalar> WaveField<S> {
         }
     }
 
-    /// k (cos b, sin b) of a wave, 1/m.
+    /// Returns k (cos b, sin b) of a wave, 1/m.
     fn wave_vector(&self, i: usize) -> [S; 2] {
         let turn = S::constant(TAU);
         [turn * self.turns.x_per_m[i], turn * self.turns.y_per_m[i]]
     }
 
-    /// Field up to the moving surface, by the field's [`Stretching`]. A point above the surface gets the values there, or
-    /// none.
+    /// Returns the field up to the moving surface, by the field's [`Stretching`]. A point above the surface
+    /// gets the values at the surface, or zero, depending on the stretching.
     pub fn kinematics(&self, point: Vector3<S>, time_s: f64) -> WaveKinematics<S> {
         let ([x, y, z], stretching) = (point.0, self.stretching);
         let elevation = self.elevation_m([x, y], time_s);
@@ -249,7 +251,7 @@ impl<S: Scalar> WaveField<S> {
         }
     }
 
-    /// The dynamic pressure of [`Self::kinematics`] alone, Pa, where the elevation above the point is
+    /// Returns the dynamic pressure of [`Self::kinematics`] alone, Pa, if the elevation over the point is
     /// known.
     pub fn dynamic_pressure_pa(&self, point: Vector3<S>, elevation_m: S, time_s: f64) -> S {
         let [x, y, z] = point.0;
@@ -267,7 +269,7 @@ impl<S: Scalar> WaveField<S> {
         self.stretching.pressure(z, self.specific_weight(), pressure)
     }
 
-    /// Pressure above that of the air, Pa, at a point below the moving surface: static and dynamic; zero above the
+    /// Returns the pressure above atmospheric, Pa, at a point: static and dynamic; zero above the moving
     /// surface.
     pub fn pressure_pa(&self, point: Vector3<S>, time_s: f64) -> S {
         let elevation = self.elevation_m([point[0], point[1]], time_s);
@@ -279,14 +281,14 @@ impl<S: Scalar> WaveField<S> {
         S::constant(self.water.density_kg_m3 * self.water.gravity_m_s2)
     }
 
-    /// Height in still water whose field continues to the height z, m, under this elevation, m.
+    /// Returns the height in still water whose field applies at the height z, m, for this elevation, m.
     pub(super) fn height(&self, z: S, elevation: S) -> StretchedHeight<S> {
         self.stretching.height(z, elevation, self.water.depth_m)
     }
 
-    /// cosh k(z + h) / cosh kh and sinh k(z + h) / cosh kh of a wave, both e^kz over infinite depth, with exponentials of
-    /// negative numbers only: (e^kz +- e^-k(z + 2h)) / (1 + e^-2kh). Above the still water level each continues along
-    /// its tangent, k times the other.
+    /// Returns cosh k(z + h) / cosh kh and sinh k(z + h) / cosh kh of a wave, both e^kz in infinite depth, by
+    /// exponentials of negative numbers only: (e^kz +- e^-k(z + 2h)) / (1 + e^-2kh). Above the still water
+    /// level each continues along its tangent, which is k times the other.
     fn decay(&self, i: usize, StretchedHeight { z, rise }: StretchedHeight<S>) -> [S; 2] {
         let k = self.waves[i].wave_number_per_m;
         let (down, further) = ((k * z).exp(), k * rise);

@@ -1,9 +1,9 @@
-//! Waves: sums of regular waves, their realisation from spectra, and their field.
+//! Waves: sums of regular waves, their realisation from spectra, and the motion of the water.
 //!
-//! [`Spectrum`] and [`Spreading`] give the distribution of energy over frequency and direction; [`WaveSystem`] draws a
-//! sum of [`WaveComponent`]s from them, by [`Noise`]; a [`WaveField`] gives the motion of the water for such a sum.
-//! Waves go to their direction, from the world's x counter-clockwise; the elevation is Re{a e^(i (k x cos b + k y sin
-//! b - w t + phase))}.
+//! [`Spectrum`] and [`Spreading`] give the distribution of energy over frequency and direction;
+//! [`WaveSystem`] draws a sum of [`WaveComponent`]s from them, by [`Noise`]; a [`WaveField`] gives the motion
+//! of the water for such a sum. Directions are propagation directions, from the world's x counter-clockwise;
+//! the elevation is Re{a e^(i (k x cos b + k y sin b - w t + phase))}.
 
 mod at_body;
 mod at_points;

@@ -1,9 +1,9 @@
-//! Random numbers as a function of (seed, channel, counter), without a state.
+//! Random numbers as a function of (seed, channel, counter), without stored state.
 
-/// Pseudo-random numbers as a function of a seed, a channel and a counter: Philox4x32-10 of Salmon, Moraes, Dror &
-/// Shaw, "Parallel random numbers: as easy as 1, 2, 3" (SC'11, 2011, sec. 3.3). The seed is the key, the counter the
-/// first half of the block and the channel the second. The same arguments give the same bits on every machine, in any
-/// order, so that nothing needs to be stored.
+/// Pseudo-random numbers as a function of a seed, a channel and a counter: Philox4x32-10 of Salmon, Moraes,
+/// Dror & Shaw, "Parallel random numbers: as easy as 1, 2, 3" (SC'11, 2011, sec. 3.3). The seed is the key;
+/// the counter is the first half of the block and the channel the second. Equal arguments give bitwise
+/// identical numbers on every machine, in any order, so that no state needs to be stored.
 ///
 /// ```
 /// use kingpost::sea::waves::Noise;
@@ -17,19 +17,19 @@ pub struct Noise {
 }
 
 impl Noise {
-    /// The noise of a seed.
+    /// Creates the noise of a seed.
     pub fn new(seed: u64) -> Self {
         Self { seed }
     }
 
-    /// A number from the open interval (0, 1), of 52 random bits.
+    /// Returns a number from the open interval (0, 1), of 52 random bits.
     pub fn uniform(&self, channel: u64, counter: u64) -> f64 {
         let [first, second, _, _] = self.block(channel, counter);
         open_unit(first, second)
     }
 
-    /// A number of the normal distribution of mean 0 and variance 1, by the method of Box & Muller
-    /// (*Annals of Mathematical Statistics* 29, 1958, p. 610).
+    /// Returns a number from the normal distribution with mean 0 and variance 1, by the method of Box &
+    /// Muller (*Annals of Mathematical Statistics* 29, 1958, p. 610).
     pub fn normal(&self, channel: u64, counter: u64) -> f64 {
         let [a, b, c, d] = self.block(channel, counter);
         let radius = libm::sqrt(-2.0 * libm::log(open_unit(a, b)));
@@ -43,13 +43,13 @@ impl Noise {
     }
 }
 
-/// The middle of one of 2^52 equal parts of (0, 1), so that neither end is reached.
+/// Returns the middle of one of 2^52 equal parts of (0, 1), so that it is never 0 or 1.
 fn open_unit(low: u32, high: u32) -> f64 {
     let bits = (u64::from(high) << 32 | u64::from(low)) >> 12;
     (bits as f64 + 0.5) / (1_u64 << 52) as f64
 }
 
-/// Ten rounds of Philox with four words of 32 bits.
+/// Computes ten rounds of Philox with four words of 32 bits.
 fn philox4x32_10(mut counter: [u32; 4], mut key: [u32; 2]) -> [u32; 4] {
     const MULTIPLIERS: [u32; 2] = [0xD251_1F53, 0xCD9E_8D57];
     const WEYL: [u32; 2] = [0x9E37_79B9, 0xBB67_AE85];
@@ -67,7 +67,7 @@ fn philox4x32_10(mut counter: [u32; 4], mut key: [u32; 2]) -> [u32; 4] {
 mod tests {
     use super::*;
 
-    /// The known answers that the authors publish with their library Random123 (`kat_vectors`).
+    /// The test vectors that the authors publish with their library Random123 (`kat_vectors`).
     #[test]
     fn philox_gives_its_authors_known_answers() {
         let cases = [

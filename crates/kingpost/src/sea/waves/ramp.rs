@@ -1,7 +1,8 @@
-//! The ramp over which waves begin.
+//! Ramp of the wave amplitudes at the start of a run.
 
-/// The factor of amplitudes at a time, with its first and second rate: 0 before 0, 1 after `length_s`, and `s^3 (10 -
-/// 15 s + 6 s^2)` with s = t / length between, whose two derivatives are 0 at both ends.
+/// Returns the factor of amplitudes at a time, with its first and second derivative: 0 before time 0, 1 after
+/// `length_s`, and `s^3 (10 - 15 s + 6 s^2)` with s = t / length in between, whose first two derivatives are
+/// 0 at both ends.
 pub fn ramp(time_s: f64, length_s: f64) -> [f64; 3] {
     if time_s >= length_s {
         return [1.0, 0.0, 0.0];

@@ -9,7 +9,7 @@ use super::spectrum::{Band, Spectrum, sub_intervals};
 use super::spreading::Spreading;
 use super::water::Water;
 
-/// The way in which the amplitudes of a random sea are drawn.
+/// Way in which the amplitudes of a random sea are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Amplitudes {
     /// a = sqrt(2 S dw): every realisation has the significant wave height of the spectrum.
@@ -20,28 +20,28 @@ pub enum Amplitudes {
     Random,
 }
 
-/// A sea of one spectrum about one mean direction, such as a wind sea or a swell.
+/// Waves of one spectrum about one mean direction, such as a wind sea or a swell.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WaveSystem {
     /// The spectrum.
     pub spectrum: Spectrum,
-    /// Its directional spreading.
+    /// Directional spreading.
     pub spreading: Spreading,
-    /// Mean direction that the waves go to, from the world's x counter-clockwise, rad.
+    /// Mean propagation direction, from the world's x counter-clockwise, rad.
     pub direction_rad: f64,
     /// Number of waves.
     pub components: usize,
-    /// The way in which their amplitudes are drawn.
+    /// Way in which the amplitudes are drawn.
     pub amplitudes: Amplitudes,
-    /// Frequencies that are kept, with the spectrum's energy there and no more; 0 and infinity for an end that is not
-    /// cut off, `None` for both.
+    /// Frequencies that are kept; the waves then have only the spectrum's energy in this band. 0 and infinity
+    /// for an end that is not cut off, `None` for both.
     pub band: Option<Band>,
 }
 
-/// Share of the waves that are distributed evenly over frequency, whatever their energy.
+/// Share of the waves that are distributed evenly over frequency, independent of their energy.
 const EVEN_SHARE: f64 = 0.5;
 
-/// The use of a channel of noise; each system has one of each.
+/// Purpose of a noise channel; each system has one channel for each purpose.
 #[derive(Clone, Copy)]
 enum WaveDraw {
     Frequency = 0,
@@ -51,19 +51,20 @@ enum WaveDraw {
 }
 
 impl WaveSystem {
-    /// The waves of the system, in order of frequency; the same seed and number of the system in its
-    /// sea give the same waves, bit for bit.
+    /// Returns the waves of the system, in order of frequency; an equal seed and an equal number of the
+    /// system in its sea give bitwise identical waves.
     ///
-    /// The waves lie in [`Spectrum::usual_band`], or at the given ends of it. That is cut into as many bins as there
-    /// are waves, each with the same integral of (1/2) S(w) / m0 + (1/2) / (width of the band): half of the waves go
-    /// where the energy is and half are spread evenly, so that the tail is resolved too. Each bin gives one wave of the
-    /// energy in the bin, scaled so that together they have the energy of the whole spectrum, or of the part in the
-    /// given band. Its frequency is drawn uniformly from the bin. The frequencies have no common divisor, so the sea
-    /// does not repeat. Each wave runs in one direction, drawn from the spreading, and has a phase from 0 to 2 pi.
+    /// The waves lie in [`Spectrum::usual_band`], or between the given ends. This band is divided into as
+    /// many bins as there are waves, each with the same integral of (1/2) S(w) / m0 + (1/2) / (width of the
+    /// band): half of the waves are distributed like the energy and half evenly, so that the tail is resolved
+    /// too. Each bin gives one wave with the energy of the bin; the energies are scaled so that their sum is
+    /// the energy of the whole spectrum, or of its part in the given band. Its frequency is drawn uniformly
+    /// from the bin. The frequencies have no common divisor, so the sea does not repeat. Each wave has one
+    /// direction, drawn from the spreading, and a phase drawn from 0 to 2 pi.
     ///
     /// # Errors
-    /// No waves or more than 20,000, a direction that is not finite or above 1e4 rad, a band that is
-    /// empty or holds no energy.
+    /// No waves or more than 20,000, a direction that is not finite or above 1e4 rad, a band that is empty or
+    /// without energy.
     pub fn components(&self, seed: u64, system: u64, water: &Water) -> Result<Vec<WaveComponent>, WaveError> {
         let band = self.checked_band()?;
         let bins = self.bins(band)?;
@@ -84,8 +85,8 @@ impl WaveSystem {
         Ok((0..count).zip(&bins).map(of_bin).collect())
     }
 
-    /// The band that the waves lie in, and the factor on the spectrum's density there by which they have all of its energy,
-    /// or of what the given band leaves of it.
+    /// Returns the band of the waves, and the factor on the spectral density in this band with which the
+    /// waves have the energy of the whole spectrum, or of its part in the given band.
     ///
     /// # Errors
     /// As [`Self::components`].
@@ -95,13 +96,13 @@ impl WaveSystem {
         Ok((band, whole / kept))
     }
 
-    /// Share of the spectrum's energy that the given band cuts off.
+    /// Returns the share of the spectrum's energy that the given band cuts off.
     pub fn energy_cut_off(&self) -> f64 {
         let whole = self.spectrum.moment(0, self.spectrum.whole_band());
         1.0 - self.spectrum.moment(0, self.within(self.spectrum.whole_band())) / whole
     }
 
-    /// A band of the spectrum in which given ends replace its own.
+    /// Returns a band of the spectrum in which the given ends replace those of the spectrum.
     fn within(&self, band: Band) -> Band {
         let Some(given) = self.band else { return band };
         Band {
@@ -126,7 +127,7 @@ impl WaveSystem {
         Ok(band)
     }
 
-    /// Bins of equal blended mass, with the energy of the whole spectrum within the given ends.
+    /// Returns bins of equal blended mass, with the energy of the whole spectrum within the given ends.
     fn bins(&self, band: Band) -> Result<Vec<Bin>, WaveError> {
         let ladder = Ladder::new(&self.spectrum, band);
         let [kept, whole] = self.energies(&ladder, band)?;
@@ -140,7 +141,7 @@ impl WaveSystem {
         Ok(ends.windows(2).map(bin).collect())
     }
 
-    /// The energy in the band, and all of the spectrum within the given ends, m^2.
+    /// Returns the energy in the band, and the energy of the whole spectrum within the given ends, m^2.
     fn energies(&self, ladder: &Ladder, band: Band) -> Result<[f64; 2], WaveError> {
         let kept = ladder.kept();
         if kept.is_nan() || kept <= 0.0 {
@@ -151,14 +152,14 @@ impl WaveSystem {
     }
 }
 
-/// A piece of the band that becomes one wave.
+/// A part of the band that becomes one wave.
 struct Bin {
     start_rad_s: f64,
     end_rad_s: f64,
     variance_m2: f64,
 }
 
-/// The energy below each of many frequencies of a band.
+/// Cumulative energy at many frequencies of a band.
 struct Ladder {
     /// Frequency, rad/s, and the energy below it, m^2.
     rungs: Vec<(f64, f64)>,
@@ -179,13 +180,15 @@ impl Ladder {
         self.rungs[self.rungs.len() - 1].1
     }
 
-    /// Half the share of energy and half the share of the band's width below a rung.
+    /// Returns the blended mass below a rung: half the share of the energy plus half the share of the band's
+    /// width.
     fn mass(&self, (frequency, below): (f64, f64)) -> f64 {
         let (lowest, highest) = (self.rungs[0].0, self.rungs[self.rungs.len() - 1].0);
         (1.0 - EVEN_SHARE) * below / self.kept() + EVEN_SHARE * (frequency - lowest) / (highest - lowest)
     }
 
-    /// The frequency with this blended mass below it, and the energy below it, linear between rungs.
+    /// Returns the frequency below which this blended mass lies, and the energy below it, linear between
+    /// rungs.
     fn at_mass(&self, mass: f64) -> (f64, f64) {
         let after = self.rungs.partition_point(|&rung| self.mass(rung) < mass);
         let after = after.clamp(1, self.rungs.len() - 1);

@@ -1,4 +1,4 @@
-//! A measured wave record as a sum of regular waves.
+//! A measured wave record, as a sum of regular waves.
 
 use core::f64::consts::TAU;
 use std::sync::{Mutex, PoisonError};
@@ -8,7 +8,7 @@ use super::error::{WaveError, between};
 use super::spectrum::Band;
 use super::water::Water;
 
-/// Elevations at equal intervals of time from a file, and the harmonics that have been computed.
+/// Elevations at equal intervals of time from a file, with the harmonics that have been computed so far.
 #[derive(Debug)]
 pub struct ElevationTable {
     start_s: f64,
@@ -24,17 +24,17 @@ impl PartialEq for ElevationTable {
     }
 }
 
-/// The first line of a table.
+/// First line of a table.
 const HEADER: &str = "time_s,elevation_m";
-/// How far a time may be from equal intervals, in intervals: printed times are rounded.
+/// Largest deviation of a time from equal intervals, in intervals: printed times are rounded.
 const UNEVEN: f64 = 0.05;
 
 impl ElevationTable {
-    /// From a text of comma-separated values with the header `time_s,elevation_m`.
+    /// Reads comma-separated values with the header `time_s,elevation_m`.
     ///
     /// # Errors
-    /// Another header, a line that is not two numbers, fewer than 4 or more than 65,536 lines, times
-    /// that do not increase by equal intervals, elevations that are all the same.
+    /// Another header, a line that is not two numbers, fewer than 4 or more than 65,536 lines, times that do
+    /// not increase by equal intervals, elevations that are all equal.
     ///
     /// ```
     /// use kingpost::sea::waves::ElevationTable;
@@ -78,25 +78,26 @@ impl ElevationTable {
         Ok(Self { start_s: first, interval_s, elevations_m, harmonics: Mutex::default() })
     }
 
-    /// Time of the first sample, s.
+    /// Returns the time of the first sample, s.
     pub fn start_s(&self) -> f64 {
         self.start_s
     }
 
-    /// Interval between two, s.
+    /// Returns the sampling interval, s.
     pub fn interval_s(&self) -> f64 {
         self.interval_s
     }
 
-    /// Elevations, m.
+    /// Returns the elevations, m.
     pub fn elevations_m(&self) -> &[f64] {
         &self.elevations_m
     }
 
-    /// Returns the components of these elevations like [`ElevationRecord::components`], each harmonic computed once.
+    /// Returns the components of these elevations, like [`ElevationRecord::components`]; each harmonic is
+    /// computed only once.
     ///
     /// # Errors
-    /// As there.
+    /// Those of [`ElevationRecord::components`].
     pub fn components(
         &self,
         position_m: [f64; 2],
@@ -118,7 +119,7 @@ impl ElevationTable {
     }
 }
 
-/// A table without computed harmonics.
+/// Copies a table without its computed harmonics.
 impl Clone for ElevationTable {
     fn clone(&self) -> Self {
         let Self { start_s, interval_s, elevations_m, .. } = self;
@@ -148,18 +149,19 @@ fn check_samples(count: usize) -> Result<(), WaveError> {
     Err(WaveError::new("elevations_m", format!("{count} samples"), format!("4 to {MOST_SAMPLES} samples")))
 }
 
-/// The surface elevation at one point, measured at equal intervals.
+/// Surface elevation at one point, measured at equal intervals.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ElevationRecord {
     /// Elevations, m.
     pub elevations_m: Vec<f64>,
     /// Time of the first sample, s.
     pub start_s: f64,
-    /// Interval between two, s.
+    /// Sampling interval, s.
     pub interval_s: f64,
-    /// The position of the measurement: x and y, world, m.
+    /// Position of the measurement: x and y, world, m.
     pub position_m: [f64; 2],
-    /// Direction that the waves go to, from the world's x counter-clockwise, rad. One point does not determine it.
+    /// Propagation direction, from the world's x counter-clockwise, rad. A measurement at one point does not
+    /// determine it.
     pub direction_rad: f64,
     /// Frequencies that are kept; `None` for all below half the sampling frequency.
     pub band: Option<Band>,
@@ -169,15 +171,15 @@ pub struct ElevationRecord {
 pub const MOST_SAMPLES: usize = 65_536;
 
 impl ElevationRecord {
-    /// The waves whose sum has these elevations at this point: the discrete Fourier transform of the record, one wave
-    /// for each harmonic in the band. The mean is left out, and so is the harmonic at half the sampling frequency,
-    /// whose phase the samples do not determine. The sum repeats after the record's length, so the first sample should
-    /// continue the last.
+    /// Returns the waves whose sum has these elevations at this point: the discrete Fourier transform of the
+    /// record, one wave for each harmonic in the band. The mean is omitted, and also the harmonic at half the
+    /// sampling frequency, because the samples do not determine its phase. The sum is periodic with the
+    /// record's length, so the first sample should continue the last one.
     ///
-    /// The transform is summed directly. A record of 20 minutes at 2 Hz needs 3 million multiplications and the longest
-    /// 10^9, so a fast transform would not justify its size in the browser. An [`ElevationTable`] stores the harmonics,
-    /// so each harmonic of a file is summed once, however often a scenario is built. Sines and cosines come from a
-    /// table, so that no error grows along the sum.
+    /// The transform is summed directly. A record of 20 minutes at 2 Hz needs 3 million multiplications and
+    /// the longest 10^9, so a fast Fourier transform would not justify the larger download in the browser. An
+    /// [`ElevationTable`] stores the harmonics, so each harmonic of a file is summed once, however often a
+    /// scenario is built. Sines and cosines are read from a table, so that errors do not grow along the sum.
     ///
     /// # Errors
     /// Fewer than 4 samples or more than 65,536, elevations above 100 m, not finite or all the same, an interval
@@ -186,7 +188,7 @@ impl ElevationRecord {
         self.components_of(water, |turn, m| harmonic(&self.elevations_m, turn, m))
     }
 
-    /// The waves of these harmonics, which are computed from the table of turns.
+    /// Returns the waves of these harmonics, computed with the table of sines and cosines.
     fn components_of(
         &self,
         water: &Water,
@@ -208,7 +210,7 @@ impl ElevationRecord {
         Ok(harmonics.iter().map(wave).collect())
     }
 
-    /// The wave with this complex elevation at the point and time of the first sample.
+    /// Returns the wave with this complex elevation at the point and the time of the first sample.
     fn wave(&self, frequency_rad_s: f64, [real, imaginary]: [f64; 2], water: &Water) -> WaveComponent {
         let amplitude = libm::sqrt(real * real + imaginary * imaginary);
         let mut wave = WaveComponent::in_water(water, amplitude, frequency_rad_s, self.direction_rad, 0.0);
@@ -224,7 +226,7 @@ impl ElevationRecord {
             between(&format!("elevations_m[{i}]"), elevation, [-100.0, 100.0])?;
         }
         check_waves(&self.elevations_m)?;
-        // From pressure gauges at 1 kHz to a quarter of an hour.
+        // From pressure gauges at 1 kHz to one sample in a quarter of an hour.
         between("interval_s", self.interval_s, [1e-3, 1e3])?;
         between("start_s", self.start_s, [-1e7, 1e7])?;
         between("direction_rad", self.direction_rad, ANGLES_RAD)?;
@@ -234,7 +236,7 @@ impl ElevationRecord {
     }
 }
 
-/// (2 / N) sum of eta_n e^(2 pi i m n / N): the complex amplitude of e^(-i w_m t).
+/// Returns (2 / N) sum of eta_n e^(2 pi i m n / N): the complex amplitude of e^(-i w_m t).
 fn harmonic(elevations_m: &[f64], turn: &[(f64, f64)], m: usize) -> [f64; 2] {
     let (count, mut place) = (elevations_m.len(), 0);
     let (mut real, mut imaginary) = (0.0, 0.0);

@@ -1,4 +1,4 @@
-//! Directional spreading of the energy of a sea.
+//! Directional spreading of a sea's energy.
 
 use core::f64::consts::PI;
 
@@ -14,7 +14,7 @@ use super::error::{WaveError, between};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Spreading {
-    /// All waves run in the mean direction.
+    /// All waves propagate in the mean direction.
     LongCrested,
     /// cos^2s of half the angle from the mean direction.
     Cos2s(Cos2s),
@@ -29,18 +29,18 @@ pub struct Cos2s {
 }
 
 impl Spreading {
-    /// The spreading cos^2s((b - b0) / 2) of this exponent s.
+    /// Creates the spreading cos^2s((b - b0) / 2) with this exponent s.
     ///
     /// # Errors
-    /// An exponent outside 0, where all directions are alike, to 10,000.
+    /// An exponent outside the range from 0 (equal energy in all directions) to 10,000.
     pub fn cos_2s(exponent: f64) -> Result<Self, WaveError> {
         between("spreading_exponent", exponent, [0.0, 1e4])?;
         let ratio = libm::exp(libm::lgamma(exponent + 1.0) - libm::lgamma(exponent + 0.5));
         Ok(Self::Cos2s(Cos2s { exponent, scale_per_rad: ratio / (2.0 * libm::sqrt(PI)) }))
     }
 
-    /// The density of energy, 1/rad, at this angle from the mean direction, rad; for a long-crested sea it is infinite
-    /// at 0.
+    /// Returns the density of energy, 1/rad, at this angle from the mean direction, rad; for a long-crested
+    /// sea it is infinite at 0.
     pub fn density_per_rad(&self, angle_rad: f64) -> f64 {
         match self {
             Self::LongCrested => {
@@ -54,8 +54,8 @@ impl Spreading {
         }
     }
 
-    /// The angles from the mean direction, rad, below which these shares of the energy lie: the inverse of the
-    /// distribution, which turns uniform random numbers into directions.
+    /// Returns the angles from the mean direction, rad, below which these shares of the energy lie: the
+    /// inverse of the cumulative distribution, which converts uniform random numbers to directions.
     pub fn quantiles_rad(&self, shares: &[f64]) -> Vec<f64> {
         match self {
             Self::LongCrested => vec![0.0; shares.len()],
@@ -67,7 +67,7 @@ impl Spreading {
     }
 }
 
-/// Intervals of the table of the cumulative distribution.
+/// Number of intervals in the table of the cumulative distribution.
 const INTERVALS: usize = 4096;
 
 impl Cos2s {
@@ -76,8 +76,9 @@ impl Cos2s {
         self.scale_per_rad * libm::pow(cosine * cosine, self.exponent)
     }
 
-    /// Angles and the share of the energy below each. Beyond nine standard deviations sqrt(2 / s) of
-    /// the normal distribution that a great s resembles, less than 1e-18 of it is left.
+    /// Returns angles, and the share of the energy below each angle. For large s the distribution approaches
+    /// a normal one with the standard deviation sqrt(2 / s); less than 1e-18 of the energy is beyond nine
+    /// standard deviations.
     fn cumulative(&self) -> Vec<(f64, f64)> {
         let end = (9.0 * libm::sqrt(2.0 / self.exponent)).min(PI);
         let width = 2.0 * end / INTERVALS as f64;
@@ -92,7 +93,7 @@ impl Cos2s {
     }
 }
 
-/// Linear between the rows.
+/// Interpolates linearly between the rows.
 fn inverse(table: &[(f64, f64)], share: f64) -> f64 {
     let after = table.partition_point(|row| row.1 < share).clamp(1, table.len() - 1);
     let ((a0, c0), (a1, c1)) = (table[after - 1], table[after]);

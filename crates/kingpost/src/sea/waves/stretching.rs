@@ -14,18 +14,19 @@ use crate::scalar::Scalar;
 /// extrapolated   u(z) for z <= 0, u(0) + z du/dz(0) above
 /// ```
 ///
-/// Wheeler's (*Journal of Petroleum Technology* 22, 1970, p. 359) makes the pressure at the surface exactly that of the
-/// air and changes kinematics at every depth; the others leave them below the still water level unchanged.
+/// With Wheeler's method (*Journal of Petroleum Technology* 22, 1970, p. 359) the pressure at the surface is
+/// exactly atmospheric, and kinematics change at every depth; with the other methods they do not change below
+/// the still water level.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Stretching {
     /// No motion and no dynamic pressure above the still water level.
     None,
-    /// Kinematics above the still water level equal those at it.
+    /// Kinematics above the still water level equal those at this level.
     #[default]
     Vertical,
-    /// Wheeler's: the column of water is stretched from the bottom to the surface.
+    /// Wheeler's method: the column of water is stretched from the bottom to the surface.
     Wheeler,
-    /// Kinematics above the still water level continue along their tangent there.
+    /// Kinematics above the still water level continue along their tangent at this level.
     Extrapolated,
 }
 
@@ -34,16 +35,16 @@ pub enum Stretching {
 pub(super) struct StretchedHeight<S> {
     /// Height in still water, from -h to 0, m.
     pub z: S,
-    /// Height above the still water level over which kinematics are extrapolated, m; else 0.
+    /// Height above the still water level over which kinematics are extrapolated, m; 0 with other methods.
     pub rise: S,
 }
 
-/// Least share of the depth that Wheeler's stretching leaves under a trough: a trough below the bottom is not physical,
-/// but must not divide by zero.
+/// Smallest share of the depth that remains under a trough with Wheeler's stretching: a trough below the
+/// bottom is not physical, but must not cause a division by zero.
 const LEAST_DEPTH: f64 = 1e-3;
 
 impl Stretching {
-    /// Height in still water that gives the field at the height z, m, under this elevation, m.
+    /// Returns the height in still water whose field applies at the height z, m, for this elevation, m.
     pub(super) fn height<S: Scalar>(self, z: S, elevation: S, depth_m: Option<f64>) -> StretchedHeight<S> {
         let bottom = S::constant(-depth_m.unwrap_or(f64::INFINITY));
         let (z, rise) = match self {
@@ -57,7 +58,8 @@ impl Stretching {
         StretchedHeight { z: z.clipped(bottom, S::ZERO), rise }
     }
 
-    /// Value of the water's motion at the height z, m: zero above the still water level where nothing continues it.
+    /// Returns a value of the water's motion at the height z, m: zero above the still water level if the
+    /// method does not continue the motion.
     pub(super) fn moving<S: Scalar>(self, z: S, value: S) -> S {
         if self != Self::None {
             return value;
@@ -65,8 +67,8 @@ impl Stretching {
         S::ZERO.select_less(z, || S::ZERO, || value)
     }
 
-    /// Dynamic pressure, Pa, at the height z, m, in water of this specific weight, N/m^3: without a continuation the
-    /// pressure above the still water level is that of the air.
+    /// Returns the dynamic pressure, Pa, at the height z, m, in water of this specific weight, N/m^3: if the
+    /// method does not continue it, the pressure above the still water level is atmospheric.
     pub(super) fn pressure<S: Scalar>(self, z: S, specific_weight: S, pressure: S) -> S {
         if self != Self::None {
             return pressure;

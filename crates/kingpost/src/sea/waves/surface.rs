@@ -1,14 +1,15 @@
-//! The surface of the sea on a grid.
+//! Surface of the sea on a grid.
 
 use super::field::WaveField;
 use crate::scalar::Scalar;
 
 impl<S: Scalar> WaveField<S> {
-    /// Elevation of the surface, m, at every grid point of x and y, world, m: along the first x first.
+    /// Returns the elevation of the surface, m, at every grid point of x and y, world, m: first all points of
+    /// the first x.
     ///
-    /// On a grid `e^(i (kx x + ky y - w t))` is a product of one factor along x and one along y, so the number of sines
-    /// is the number of lines, not of grid points. It equals [`Self::elevation_m`] at each grid point except for
-    /// rounding.
+    /// On a grid `e^(i (kx x + ky y - w t))` is a product of one factor along x and one along y, so the
+    /// number of sines is that of grid lines, not of grid points. The result equals [`Self::elevation_m`] at
+    /// each grid point except for rounding.
     pub fn elevations_m(&self, x: &[S], y: &[S], time_s: f64) -> Vec<S> {
         let mut elevations = vec![S::ZERO; x.len() * y.len()];
         let along_y: Vec<Vec<(S, S)>> = self

@@ -1,27 +1,27 @@
-//! The water in which waves run.
+//! Water in which waves propagate.
 
 use super::error::{WaveError, between};
 
-/// Water of one density over a level bottom, or without a bottom.
+/// Water with a uniform density over a level bottom, or in infinite depth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Water {
     /// Density, kg/m^3.
     pub density_kg_m3: f64,
-    /// Gravity, m/s^2.
+    /// Acceleration of gravity, m/s^2.
     pub gravity_m_s2: f64,
     /// Depth of the still water, m; `None` if it is infinite.
     pub depth_m: Option<f64>,
 }
 
 impl Default for Water {
-    /// Sea water of infinite depth: 1025 kg/m^3, 9.80665 m/s^2.
+    /// Returns sea water of infinite depth: 1025 kg/m^3, 9.80665 m/s^2.
     fn default() -> Self {
         Self { density_kg_m3: 1025.0, gravity_m_s2: 9.80665, depth_m: None }
     }
 }
 
 impl Water {
-    /// Water of these properties.
+    /// Creates water with these properties.
     ///
     /// # Errors
     /// A density outside 1 to 20,000 kg/m^3, a gravity outside 0.01 to 1000 m/s^2, a depth outside

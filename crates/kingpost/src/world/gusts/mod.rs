@@ -7,9 +7,9 @@ pub use spectrum::{GustSpectrum, MeanWind};
 use crate::scalar::Scalar;
 use crate::sea::waves::{Amplitudes, MOST_COMPONENTS, Noise, ramp};
 
-/// The channels of noise of gusts begin here; those of wave systems are few.
+/// First noise channel of gusts; wave systems use the channels below it.
 const FIRST_CHANNEL: u64 = 1 << 32;
-/// The use of a channel of noise.
+/// Purpose of a noise channel.
 #[derive(Clone, Copy)]
 enum GustDraw {
     Frequency = 0,
@@ -17,11 +17,12 @@ enum GustDraw {
     Amplitude = 2,
 }
 
-/// One realisation of a gusty wind; the same seed gives the same, bit for bit.
+/// A realisation of a gusty wind; equal seeds give realisations that are bitwise identical.
 ///
-/// The band is cut into bins of equal width over ln f, over which f S(f) is broad. Each gives one component with the
-/// variance of its bin, a frequency drawn uniformly over ln f from the bin, so that the wind does not repeat, and a
-/// phase within one turn. Frequencies and phases are the same at all heights: a gust acts on the whole ship at once.
+/// The band is divided into bins of equal width in ln f, because f S(f) is broad as a function of ln f. Each
+/// bin gives one component with the variance of the bin, a frequency drawn uniformly in ln f from the bin, so
+/// that the wind does not repeat, and a random phase. Frequencies and phases are the same at all heights: a
+/// gust acts on the whole ship at once.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gusts<S = f64> {
     /// The spectrum.
@@ -45,7 +46,7 @@ pub struct GustRealisation {
     pub ramp_s: f64,
 }
 
-/// An invalid setting of a realisation: the field, and what is allowed.
+/// Error of a setting of a realisation: the field, and the allowed value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct GustError {
     /// Field of the realisation.
@@ -59,18 +60,18 @@ pub struct GustError {
 /// A component of the wind speed, without its amplitude.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Component {
-    /// Ends of its bin, Hz.
+    /// Limits of its bin, Hz.
     ends_hz: [f64; 2],
     frequency_hz: f64,
     phase_turns: f64,
-    /// Its variance over that in the bin.
+    /// Ratio of its variance to the variance of its bin.
     share: f64,
 }
 
-/// The computed gusts at one height, for a load that needs them often.
+/// Gusts computed for one height, for a load that needs them often.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GustsAtHeight<S = f64> {
-    /// m/s.
+    /// Amplitudes of the components, m/s.
     amplitudes: Vec<S>,
     frequencies_hz: Vec<f64>,
     phases_turns: Vec<f64>,
@@ -81,7 +82,7 @@ impl<S: Scalar> Gusts<S> {
     /// Draws a realisation.
     ///
     /// # Errors
-    /// No components or more than 20,000, a band that is empty.
+    /// No components, more than 20,000 components, or an empty band.
     pub fn new(spectrum: GustSpectrum<S>, of: &GustRealisation) -> Result<Self, GustError> {
         let [lowest, highest] = of.band_hz;
         if of.components == 0 || of.components > MOST_COMPONENTS {
@@ -111,7 +112,7 @@ impl<S: Scalar> Gusts<S> {
         Ok(Self { spectrum, components: (0..of.components as u64).map(component).collect(), ramp_s: of.ramp_s })
     }
 
-    /// The gusts in this mean wind at its height.
+    /// Returns the gusts at the height of this mean wind.
     pub fn at_height(&self, mean: &MeanWind<S>) -> GustsAtHeight<S> {
         let amplitude =
             |of: &Component| self.spectrum.deviation(mean, of.ends_hz) * S::constant(libm::sqrt(2.0 * of.share));
@@ -125,7 +126,7 @@ impl<S: Scalar> Gusts<S> {
 }
 
 impl<S: Scalar> GustsAtHeight<S> {
-    /// Gust speed along the mean wind, without the mean, at a time (s), m/s.
+    /// Returns the gust speed along the mean wind, without the mean, at a time (s), m/s.
     pub fn speed(&self, time_s: f64) -> S {
         let waves = self.amplitudes.iter().zip(&self.frequencies_hz).zip(&self.phases_turns);
         let sum = waves.fold(S::ZERO, |sum, ((amplitude, frequency), phase)| {
@@ -135,7 +136,7 @@ impl<S: Scalar> GustsAtHeight<S> {
         sum * S::constant(share)
     }
 
-    /// Root of the mean square of the speed after the ramp, m/s.
+    /// Returns the standard deviation of the speed after the ramp, m/s.
     pub fn deviation(&self) -> S {
         let half = S::constant(0.5);
         self.amplitudes.iter().fold(S::ZERO, |sum, a| sum + half * *a * *a).sqrt()

@@ -1,9 +1,9 @@
-//! Gust spectra: the density of the variance of the wind's speed over frequency.
+//! Gust spectra: spectral density of the wind speed over frequency.
 
 use crate::scalar::Scalar;
 
-/// A one-sided spectrum S(f) of the speed along the mean wind, m^2/s^2 per Hz, of the mean speed U(z) at the height z and U_10
-/// at 10 m.
+/// One-sided spectrum S(f) of the speed along the mean wind, m^2/s^2 per Hz; U(z) is the mean speed at the
+/// height z, and U_10 the mean speed at 10 m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum GustSpectrum<S = f64> {
     /// The spectrum of the Norwegian Petroleum Directorate, from wind measured off Froya (ISO 19901-1:2015, A.7.4; API
@@ -22,27 +22,27 @@ pub enum GustSpectrum<S = f64> {
     /// Kaimal's spectrum in the form of IEC 61400-1, annex B: sigma = I U(z), `S = 4 sigma^2 (L / U) / (1 + 6 f L /
     /// U)^(5/3)`, which is API's formula with `f_p = U / (4 L)`.
     Kaimal {
-        /// I: sigma over the mean speed.
+        /// I: ratio of sigma to the mean speed.
         turbulence_intensity: S,
-        /// L, m.
+        /// Length scale L, m.
         length_scale: S,
     },
 }
 
-/// The mean wind of a spectrum.
+/// Mean wind for which a spectrum is evaluated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeanWind<S = f64> {
-    /// z, m.
+    /// Height z, m.
     pub height: S,
-    /// U(z), m/s.
+    /// Mean speed U(z) at this height, m/s.
     pub speed: S,
-    /// U_10, m/s.
+    /// Mean speed U_10 at 10 m, m/s.
     pub at_ten_metres: S,
 }
 
-/// Mean speed, m/s, below which gusts are proportional to the speed.
+/// Mean speed below which gusts are proportional to it, m/s.
 const LEAST_M_S: f64 = 1e-6;
-/// n of the NPD spectrum.
+/// Exponent n of the NPD spectrum.
 const N: f64 = 0.468;
 /// Points and weights of the Gauss-Legendre rule on (-1, 1) (Abramowitz & Stegun, table 25.4, n = 4).
 const RULE: [(f64, f64); 4] = [
@@ -53,13 +53,14 @@ const RULE: [(f64, f64); 4] = [
 ];
 
 impl<S: Scalar> GustSpectrum<S> {
-    /// S(f), m^2/s.
+    /// Returns S(f), m^2/s.
     pub fn density(&self, mean: &MeanWind<S>, frequency_hz: f64) -> S {
         let scale = self.scale(mean);
         scale * scale * self.shape(mean, frequency_hz)
     }
 
-    /// Square root of the variance between two frequencies above 0, Hz: the integral of f S over ln f, m/s.
+    /// Returns the standard deviation of the speed between two frequencies above 0, Hz, from the integral of
+    /// f S over ln f, m/s.
     pub fn deviation(&self, mean: &MeanWind<S>, [lowest, highest]: [f64; 2]) -> S {
         let (from, to) = (libm::log(lowest), libm::log(highest));
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
@@ -70,7 +71,7 @@ impl<S: Scalar> GustSpectrum<S> {
         self.scale(mean) * RULE.iter().map(at).fold(S::ZERO, |sum, part| sum + part).sqrt()
     }
 
-    /// The scale to whose square S is proportional, m/s; 0 without wind.
+    /// Returns the scale of the speed, m/s, to the square of which S is proportional; 0 without wind.
     fn scale(&self, mean: &MeanWind<S>) -> S {
         match self {
             Self::Npd => mean.at_ten_metres,
@@ -79,7 +80,7 @@ impl<S: Scalar> GustSpectrum<S> {
         }
     }
 
-    /// S over the square of the scale, 1/Hz.
+    /// Returns S divided by the square of the scale, 1/Hz.
     fn shape(&self, mean: &MeanWind<S>, frequency_hz: f64) -> S {
         let (c, f) = (S::constant, S::constant(frequency_hz));
         let speed = at_least(mean.speed);
@@ -95,14 +96,14 @@ impl<S: Scalar> GustSpectrum<S> {
     }
 }
 
-/// Turbulence intensity of API RP 2A at a height, m.
+/// Returns the turbulence intensity of API RP 2A at a height, m.
 fn api_intensity<S: Scalar>(height: S) -> S {
     let (c, ratio) = (S::constant, height / S::constant(20.0));
     let exponent = ratio.select_below(1.0, || c(-0.125), || c(-0.275));
     c(0.15) * ratio.pow(exponent)
 }
 
-/// 1 / f_p / (1 + 1.5 f / f_p)^(5/3), whose integral over all frequencies is 1.
+/// Returns 1 / f_p / (1 + 1.5 f / f_p)^(5/3), whose integral over all frequencies is 1.
 fn five_thirds<S: Scalar>(frequency: S, peak: S) -> S {
     let base = S::ONE + S::constant(1.5) * frequency / peak;
     base.pow(S::constant(-5.0 / 3.0)) / peak

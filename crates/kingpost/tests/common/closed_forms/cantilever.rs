@@ -1,5 +1,5 @@
-//! The uniform cantilever of Euler and Bernoulli (Meirovitch, Fundamentals of Vibrations, section 8.6),
-//! with Timoshenko's shear deflection beside it (Timoshenko, Strength of Materials I, section 39).
+//! The uniform cantilever of Euler and Bernoulli (Meirovitch, Fundamentals of Vibrations, section 8.6), and
+//! Timoshenko's shear deflection (Timoshenko, Strength of Materials I, section 39).
 
 /// A uniform beam, clamped at one end.
 pub struct Cantilever {

@@ -1,5 +1,5 @@
-//! The double pendulum of two point masses on massless rods (Landau & Lifshitz, Mechanics, 3rd ed.,
-//! section 5, problem 1, and section 23, problem 2), with its equations written for it alone.
+//! The double pendulum of two point masses on massless rods (Landau & Lifshitz, Mechanics, 3rd ed., section
+//! 5, problem 1, and section 23, problem 2), by equations written only for this mechanism.
 
 use super::GRAVITY;
 

@@ -1,5 +1,4 @@
-//! Motions and deflections that are known in closed form, as objects. Each says its source; none of
-//! them uses the engine.
+//! Motions and deflections with known closed forms, as objects. Each states its source; none uses the engine.
 #![allow(unused_imports)] // each test binary uses its own part
 
 mod cantilever;

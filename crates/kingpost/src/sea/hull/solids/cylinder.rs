@@ -1,17 +1,18 @@
 //! A circular cylinder cut by a plane.
 //!
-//! With c and s the components of the plane's normal along the axis and across it, strips along the axis at the
-//! distance xi = -R cos(theta) from it, up the slope, are wet over the share f of their length L that goes linearly
-//! from 1 at xi_a = (l - c L/2) / s to 0 at xi_b = (l + c L/2) / s. Where no end is cut, all strips are wet between 0
-//! and 1, and the integrals are those of a wall-sided body. Else the strips are summed over theta by the Gauss-Legendre
-//! rule of 16 points, which is exact to rounding for the integrands sin^2 and cos of theta over at most pi.
+//! The components of the plane's normal along the axis and across it are c and s. A strip along the axis, at
+//! the distance xi = -R cos(theta) from it up the slope, is wet over the share f of its length L; f falls
+//! linearly from 1 at xi_a = (l - c L/2) / s to 0 at xi_b = (l + c L/2) / s. If the plane cuts no end, f is
+//! between 0 and 1 for all strips, and the integrals are those of a wall-sided body. Otherwise the strips are
+//! summed over theta by the Gauss-Legendre rule of 16 points, which is exact to rounding for the integrands
+//! sin^2 and cos of theta over at most pi.
 
 use super::Below;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 use core::f64::consts::PI;
 
-/// About its centre, along one of the axes.
+/// A cylinder about its centre, along one of the axes, to be cut by a plane.
 pub(super) struct CutCylinder<S> {
     pub radius: S,
     pub length: S,
@@ -30,25 +31,26 @@ const RULE: [(f64, f64); 8] = [
     (0.989_400_934_991_649_9, 0.027_152_459_411_754_096),
 ];
 
-/// Distance of the strips' ends, as a share of the radius, below which the shares are taken at the rule's points: the
-/// rounding of the exact shares would be larger than the error of this.
+/// Smallest distance of the strips' ends, as a share of the radius, at which the shares are integrated
+/// exactly. Below it they are evaluated at the rule's points, because the rounding of the exact integrals
+/// would be larger than the error of the rule.
 const NARROW: f64 = 1e-6;
-/// Square of a slope below which it counts as 0.
+/// Square of a slope below which the slope counts as 0.
 const LEVEL: f64 = 1e-300;
 
-/// The normal in the cylinder's axes, with its axis upward.
+/// Normal of the plane in the cylinder's axes, with the cylinder's axis upward.
 struct Slope<S> {
-    /// c, not negative, and the direction of the axis for which it is so.
+    /// Component c along the axis, not negative, and the direction of the axis for which this holds.
     along: S,
     upward: S,
-    /// s.
+    /// Component s across the axis.
     across: S,
-    /// The unit vector up the slope; 0 where there is none.
+    /// Unit vector up the slope; 0 if the plane is perpendicular to the axis.
     direction: Vector3<S>,
 }
 
 impl<S: Scalar> CutCylinder<S> {
-    /// The part below n . r = l.
+    /// Returns the part below n . r = l.
     pub fn below(&self, normal: Vector3<S>, level: S) -> Below<S> {
         let slope = self.slope(normal);
         let half = slope.along * self.length * S::constant(0.5);
@@ -88,14 +90,15 @@ impl<S: Scalar> CutCylinder<S> {
         }
     }
 
-    /// The vector with these components along the upward axis and up the slope.
+    /// Returns the vector with these components along the upward axis and up the slope.
     fn vector(&self, slope: &Slope<S>, along: S, up: S) -> Vector3<S> {
         let mut vector = slope.direction * up;
         vector[self.axis] = along * slope.upward;
         vector
     }
 
-    /// No end is cut: wet up to the height (l - s xi) / c along the axis, with I = pi R^4 / 4 of the circle.
+    /// Returns the part below a plane that cuts no end: wet up to the height (l - s xi) / c along the axis,
+    /// with I = pi R^4 / 4 of the circle.
     fn between_ends(&self, slope: &Slope<S>, level: S) -> Below<S> {
         let along = slope.along.select_below(f64::MIN_POSITIVE, || S::ONE, || slope.along);
         let (height, tan, half) = (level / along, slope.across / along, self.length * S::constant(0.5));
@@ -117,7 +120,7 @@ impl<S: Scalar> CutCylinder<S> {
         let [first, last] = [level - half, level + half].map(|height| self.angle(height, across));
         let width = last - first;
         let narrow = half - across * radius * S::constant(NARROW);
-        // Whole strips, below the angle where the first is dry at its end.
+        // Strips that are wet over their whole length, up to the angle of the first strip that is not.
         let (sin, cos) = first.sin_cos();
         let whole = radius * radius * (first - sin * cos) * length;
         let whole_moment = -(radius * radius * radius * sin * sin * sin * S::constant(2.0 / 3.0)) * length;
@@ -132,7 +135,7 @@ impl<S: Scalar> CutCylinder<S> {
             let weight = S::constant(0.5 * weight);
             let chord = S::constant(2.0) * radius * sin;
             let strip = chord * radius * sin * width * weight;
-            // Of the section: dA = chord dxi / c = chord L df / s.
+            // For the section: dA = chord dxi / c = chord L df / s.
             let by_angle = || strip / slope.along;
             let section = narrow.select_below(0.0, || chord * length * weight / across, by_angle);
             volume += strip * length * fill;
@@ -150,7 +153,7 @@ impl<S: Scalar> CutCylinder<S> {
         }
     }
 
-    /// theta of xi = height / s, at 0 and pi beyond the cylinder's sides.
+    /// Returns theta for xi = height / s; 0 or pi beyond the cylinder's sides.
     fn angle(&self, height: S, across: S) -> S {
         let (reach, pi) = (across * self.radius, S::constant(PI));
         let inside = || ((reach - height) * (reach + height)).sqrt().atan2(-height);

@@ -1,4 +1,4 @@
-//! The part of a box, a cylinder or a sphere below a plane: to rounding, in any attitude.
+//! Part of a box, a cylinder or a sphere below a plane: exact to rounding, in any attitude.
 
 mod cylinder;
 
@@ -7,16 +7,16 @@ use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 use cylinder::CutCylinder;
 
-/// The part of a solid below a plane n . r = l, with n a unit vector in the solid's axes.
+/// Part of a solid below a plane n . r = l, with the unit vector n in the solid's axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Below<S = f64> {
-    /// V, m^3.
+    /// Volume V, m^3.
     pub volume: S,
-    /// G, the integral of r over V, m^4.
+    /// First moment G, the integral of r over V, m^4.
     pub first_moment: Vector3<S>,
     /// Area of the section with the plane, m^2: dV/dl.
     pub area: S,
-    /// The integral of r over the section, m^3: -dV/dn.
+    /// First moment of the section, the integral of r over it, m^3: -dV/dn.
     pub area_moment: Vector3<S>,
 }
 
@@ -31,29 +31,29 @@ pub struct Below<S = f64> {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Solid<S = f64> {
-    /// A box, its edges along the axes.
+    /// A box with its edges along the axes.
     Box {
-        /// Along x, y and z, m.
+        /// Edges along x, y and z, m.
         edges: Vector3<S>,
     },
     /// A circular cylinder along one of the axes.
     Cylinder {
-        /// m.
+        /// Radius, m.
         radius: S,
-        /// m.
+        /// Length, m.
         length: S,
-        /// Index of the axis.
+        /// Index of the cylinder's axis.
         axis: usize,
     },
     /// A sphere.
     Sphere {
-        /// m.
+        /// Radius, m.
         radius: S,
     },
 }
 
 impl<S: Scalar> Solid<S> {
-    /// Volume of the whole solid, m^3.
+    /// Returns the volume of the whole solid, m^3.
     pub fn volume(&self) -> S {
         let pi = S::constant(core::f64::consts::PI);
         match *self {
@@ -63,7 +63,7 @@ impl<S: Scalar> Solid<S> {
         }
     }
 
-    /// Its projected area along x, y and z, m^2.
+    /// Returns the projected area along x, y and z, m^2.
     pub fn projected_areas(&self) -> [S; 3] {
         let pi = S::constant(core::f64::consts::PI);
         match *self {
@@ -76,7 +76,8 @@ impl<S: Scalar> Solid<S> {
         }
     }
 
-    /// Its extent from its centre along a unit vector, and against it, m.
+    /// Returns the extent from the centre in the direction of a unit vector, m; in the opposite direction it
+    /// is equal.
     pub fn reach(&self, along: Vector3<S>) -> S {
         let size = |x: S| x.select_below(0.0, || -x, || x);
         match *self {
@@ -90,7 +91,7 @@ impl<S: Scalar> Solid<S> {
         }
     }
 
-    /// The part below the plane n . r = l.
+    /// Returns the part below the plane n . r = l.
     pub fn below(&self, vertical: Vector3<S>, level: S) -> Below<S> {
         match *self {
             Self::Box { edges } => Below::of_box(edges, vertical, level),
@@ -101,8 +102,8 @@ impl<S: Scalar> Solid<S> {
 }
 
 impl<S: Scalar> Below<S> {
-    /// For a box about its centre with edges along the axes, m: every triangle is cut by the plane, as for a
-    /// [hull](super::WettedHull).
+    /// Returns the part of a box about its centre with edges along the axes, m: every triangle is cut by the
+    /// plane, as for a [hull](super::WettedHull).
     pub fn of_box(edges: Vector3<S>, vertical: Vector3<S>, level: S) -> Self {
         let corners: [Vector3<S>; 8] = core::array::from_fn(|corner| corner_of(edges, corner));
         let heights = corners.map(|r| vertical.dot(r) - level);
@@ -119,7 +120,8 @@ impl<S: Scalar> Below<S> {
                 volume += along_vertical * share;
                 moment += corners[corner] * (along_vertical * share);
             }
-            // The area vectors of a closed surface sum to zero: the plane's area is minus that of the walls.
+            // The area vectors of a closed surface sum to zero, so the area of the section is minus that of
+            // the walls.
             let wet = corner_shares(sides, triangle, &heights, &[S::ONE; 8]);
             area -= along_vertical * (wet[0] + wet[1] + wet[2]);
             for (corner, wet) in triangle.into_iter().zip(wet) {
@@ -127,13 +129,13 @@ impl<S: Scalar> Below<S> {
             }
         }
         let height_moment = (vertical.dot(moment) - level * volume) * S::constant(0.5);
-        // By the divergence theorem the integral of r (n . N) over a closed surface is n V.
+        // By the divergence theorem, the integral of r (n . N) over a closed surface is n V.
         let area_moment = area_moment + vertical * volume;
         Self { volume, first_moment: moment - vertical * height_moment, area, area_moment }
     }
 
-    /// For a sphere about its centre: with the cap's height d = R + l, V = pi d^2 (3 R - d) / 3, G = -n pi/4 (R^2 -
-    /// l^2)^2.
+    /// Returns the part of a sphere about its centre: with the cap's height d = R + l, V = pi d^2 (3 R - d) /
+    /// 3, G = -n pi/4 (R^2 - l^2)^2.
     fn of_sphere(radius: S, vertical: Vector3<S>, level: S) -> Self {
         let pi = S::constant(core::f64::consts::PI);
         let level = level.clipped(-radius, radius);
@@ -149,12 +151,13 @@ impl<S: Scalar> Below<S> {
     }
 }
 
-/// Corner of a box by its bits: x, y and z, set where it is ahead, to port, on top.
+/// Returns the corner of a box by its bits for x, y and z: a bit is set if the corner is forward, to port or
+/// at the top.
 fn corner_of<S: Scalar>(edges: Vector3<S>, bits: usize) -> Vector3<S> {
     Vector3(core::array::from_fn(|k| edges[k] * S::constant(if bits >> k & 1 == 1 { 0.5 } else { -0.5 })))
 }
 
-/// Two triangles for each side of a box, as corners, with the axis perpendicular to the side.
+/// Returns two triangles for each side of a box, as corners, with the axis perpendicular to the side.
 fn triangles() -> impl Iterator<Item = (usize, [usize; 3])> {
     (0..12).map(|i| {
         let axis = i / 4;
@@ -183,8 +186,8 @@ mod tests {
     }
 
     proptest! {
-        /// dV = A dl - M . dn and dG = M dl - ... : what a plane's motion sweeps. dV/dl and dV/dn are exact by dual numbers; the
-        /// potential n . G - l V has the gradient (G, -V), which ties G to V.
+        /// A motion of the plane sweeps dV = A dl - M . dn and dG = M dl - ...; dV/dl and dV/dn are exact by
+        /// dual numbers. The gradient of the potential n . G - l V is (G, -V), which relates G to V.
         #[test]
         fn area_volume_and_moments_are_derivatives_of_one_potential(
             which in 0..5_usize,
@@ -215,7 +218,7 @@ mod tests {
             let [by_level, falls] = over(Vector3::zero(), 1.0);
             prop_assert!((by_level - below.area).abs() < 1e-6, "dV/dl {by_level}, A {}", below.area);
             prop_assert!((falls + below.volume).abs() < 1e-7, "dU/dl {falls}, V {}", below.volume);
-            // A unit vector turns across itself.
+            // The derivative of a unit vector is perpendicular to it.
             let axis = if normal[0].abs() < 0.6 { Vector3::new(1.0, 0.0, 0.0) } else { Vector3::new(0.0, 1.0, 0.0) };
             let turned = normal.cross(axis).direction();
             for t in [turned, normal.cross(turned)] {
@@ -225,9 +228,9 @@ mod tests {
             }
         }
 
-        /// Checks that the parts below a plane and below the same plane turned over make the whole.
+        /// Checks that the parts below a plane and below the reversed plane add up to the whole solid.
         #[test]
-        fn both_sides_of_a_plane_make_the_whole(
+        fn both_sides_of_a_plane_add_up_to_the_whole_solid(
             which in 0..5_usize,
             normal in prop::array::uniform3(-1.0..1.0_f64),
             share in -1.2..1.2_f64,
@@ -244,7 +247,7 @@ mod tests {
     }
 
     #[test]
-    fn a_lying_cylinder_holds_the_segment_of_its_circle() {
+    fn the_volume_of_a_lying_cylinder_is_the_segment_of_its_circle() {
         let (radius, length) = (1.3_f64, 4.1);
         let cylinder = Solid::Cylinder { radius, length, axis: 0 };
         for level in [-1.1, -0.4, 0.0, 0.7, 1.2_f64] {

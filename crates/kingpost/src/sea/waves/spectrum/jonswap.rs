@@ -5,11 +5,10 @@ use core::f64::consts::TAU;
 use super::{Band, gamma_shape, integral, peak_enhancement};
 use crate::sea::waves::error::{HEIGHTS_M, PERIODS_S, WaveError, between};
 
-/// S(w) = A Hs^2 w_p^4 w^-5 exp(-(5/4) (w / w_p)^-4) gamma^exp(-(w / w_p - 1)^2 / (2 sigma^2)), sigma
-/// 0.07 up to the peak and 0.09 above it: Hasselmann et al. (1973) by height and period, DNV-RP-C205,
-/// sec. 3.5. A is found by integration over all frequencies, so that m0 = Hs^2 / 16 holds to 1e-8
-/// where the usual 5/16 (1 - 0.287 ln gamma) misses it by up to a percent. With gamma = 1 it is the
-/// Pierson-Moskowitz spectrum.
+/// S(w) = A Hs^2 w_p^4 w^-5 exp(-(5/4) (w / w_p)^-4) gamma^exp(-(w / w_p - 1)^2 / (2 sigma^2)), sigma 0.07 up
+/// to the peak and 0.09 above it: Hasselmann et al. (1973) by height and period, DNV-RP-C205, sec. 3.5. A is
+/// computed by integration over all frequencies, so that m0 = Hs^2 / 16 holds to 1e-8; the usual formula 5/16
+/// (1 - 0.287 ln gamma) has an error of up to a percent. With gamma = 1 it is the Pierson-Moskowitz spectrum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jonswap {
     peak_rad_s: f64,
@@ -19,7 +18,7 @@ pub struct Jonswap {
 }
 
 impl Jonswap {
-    /// The spectrum of this significant wave height, peak period and peak enhancement factor gamma.
+    /// Creates the spectrum with this significant wave height, peak period and peak enhancement factor gamma.
     ///
     /// # Errors
     /// A height outside 1e-6 to 100 m, a period outside 0.01 to 1000 s, a gamma outside 1 to 20.

@@ -1,4 +1,4 @@
-//! Wave spectra: the density S(w) of the elevation's variance over angular frequency, one file each.
+//! Wave spectra: spectral density S(w) of the elevation over angular frequency, one file for each spectrum.
 
 mod jonswap;
 mod ochi_hubble;
@@ -38,16 +38,16 @@ pub enum Spectrum {
     PiersonMoskowitz(PiersonMoskowitz),
     /// JONSWAP, for a growing wind sea.
     Jonswap(Jonswap),
-    /// Two peaks of three parameters each.
+    /// Ochi-Hubble: two peaks with three parameters each.
     OchiHubble(OchiHubble),
-    /// Wind sea and swell of the Norwegian Sea, from the height and period of the total sea.
+    /// Torsethaugen: wind sea and swell of the Norwegian Sea, from the height and period of the total sea.
     Torsethaugen(Torsethaugen),
     /// A table of S(w).
     Table(SpectrumTable),
 }
 
 impl Spectrum {
-    /// S(w), m^2 s/rad; 0 where w is not above 0.
+    /// Returns S(w), m^2 s/rad; 0 unless w > 0.
     pub fn density_m2_s(&self, angular_frequency_rad_s: f64) -> f64 {
         let w = angular_frequency_rad_s;
         match self {
@@ -59,8 +59,8 @@ impl Spectrum {
         }
     }
 
-    /// Angular frequencies where the formula changes its form, rad/s, increasing: the peaks, or the
-    /// rows of a table.
+    /// Returns the angular frequencies where the formula changes its form, rad/s, increasing: the peaks, or
+    /// the rows of a table.
     pub(crate) fn nodes_rad_s(&self) -> Vec<f64> {
         match self {
             Self::PiersonMoskowitz(spectrum) => vec![spectrum.peak_rad_s()],
@@ -71,8 +71,9 @@ impl Spectrum {
         }
     }
 
-    /// The range in which the spectrum has energy: the rows of a table; otherwise from 0.1 times the lowest peak, below
-    /// which exp(-(5/4) 10^4) is left, to 10^4 times the highest.
+    /// Returns the range in which the spectrum has energy: the rows of a table; otherwise from 0.1 times the
+    /// lowest peak frequency, below which the density is less than exp(-(5/4) 10^4), to 10^4 times the
+    /// highest.
     pub fn whole_band(&self) -> Band {
         let nodes = self.nodes_rad_s();
         let (first, last) = (nodes[0], nodes[nodes.len() - 1]);
@@ -82,9 +83,9 @@ impl Spectrum {
         }
     }
 
-    /// The band of a sea unless another is given: the rows of a table; otherwise from half the lowest peak's frequency
-    /// to five times the highest's. The cut tail of a Pierson-Moskowitz spectrum holds 0.2 % of its energy, 1 -
-    /// exp(-(5/4) / 5^4).
+    /// Returns the default band of a sea: the rows of a table; otherwise from half the lowest peak frequency
+    /// to five times the highest. The tail that is cut off a Pierson-Moskowitz spectrum contains 0.2 % of its
+    /// energy, 1 - exp(-(5/4) / 5^4).
     pub fn usual_band(&self) -> Band {
         let nodes = self.nodes_rad_s();
         let (first, last) = (nodes[0], nodes[nodes.len() - 1]);
@@ -94,20 +95,20 @@ impl Spectrum {
         }
     }
 
-    /// The spectral moment of this order, m_n = integral of w^n S(w) dw over the band, m^2 (rad/s)^n.
-    /// Over all frequencies it is finite for orders below the power of the tail less one: 4, of
-    /// Torsethaugen's spectrum 3.
+    /// Returns the spectral moment of this order, m_n = integral of w^n S(w) dw over the band, m^2 (rad/s)^n.
+    /// Over all frequencies it is finite for orders below the power of the tail less one: below 4, for
+    /// Torsethaugen's spectrum below 3.
     pub fn moment(&self, order: i32, band: Band) -> f64 {
         integral(&self.nodes_rad_s(), band, |w| power(w, order) * self.density_m2_s(w))
     }
 
-    /// Significant wave height, m: 4 sqrt(m0) of the whole spectrum.
+    /// Returns the significant wave height, m: 4 sqrt(m0) of the whole spectrum.
     pub fn significant_height_m(&self) -> f64 {
         4.0 * libm::sqrt(self.moment(0, self.whole_band()))
     }
 
-    /// Mean period between upward crossings of zero, s: Tz = 2 pi sqrt(m0 / m2) over the band
-    /// (Rice 1945; DNV-RP-C205, sec. 3.5).
+    /// Returns the mean zero-up-crossing period, s: Tz = 2 pi sqrt(m0 / m2) over the band (Rice 1945;
+    /// DNV-RP-C205, sec. 3.5).
     pub fn zero_crossing_period_s(&self, band: Band) -> f64 {
         core::f64::consts::TAU * libm::sqrt(self.moment(0, band) / self.moment(2, band))
     }
@@ -117,13 +118,14 @@ fn power(base: f64, order: i32) -> f64 {
     libm::pow(base, f64::from(order))
 }
 
-/// x^-n exp(-(n/m) x^-m) with x = w / w_p, 0 where x is not above 0.
+/// Returns x^-n exp(-(n/m) x^-m) with x = w / w_p; 0 unless x > 0.
 pub(crate) fn gamma_shape(x: f64, n: f64, m: f64) -> f64 {
     if x > 0.0 { libm::exp(-n * libm::log(x) - n / m * libm::pow(x, -m)) } else { 0.0 }
 }
 
-/// gamma^exp(-(x - 1)^2 / (2 sigma^2)), sigma 0.07 below the peak and 0.09 above it: the peak enhancement factor
-/// (Hasselmann et al., *Measurements of wind-wave growth and swell decay during JONSWAP*, 1973).
+/// Returns the peak enhancement factor gamma^exp(-(x - 1)^2 / (2 sigma^2)), with sigma 0.07 below the peak
+/// and 0.09 above it (Hasselmann et al., *Measurements of wind-wave growth and swell decay during JONSWAP*,
+/// 1973).
 pub(crate) fn peak_enhancement(x: f64, gamma: f64) -> f64 {
     let sigma = if x <= 1.0 { 0.07 } else { 0.09 };
     let distance = (x - 1.0) / sigma;

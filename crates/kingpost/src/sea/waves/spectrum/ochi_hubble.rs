@@ -5,14 +5,14 @@ use core::f64::consts::TAU;
 use super::gamma_shape;
 use crate::sea::waves::error::{HEIGHTS_M, PERIODS_S, WaveError, between};
 
-/// One of the two parts: its own height, period and shape.
+/// One of the two parts, with its height, period and shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OchiHubblePart {
     /// Significant wave height of the part, m.
     pub significant_height_m: f64,
     /// Peak period of the part, s.
     pub peak_period_s: f64,
-    /// Shape parameter lambda; 1 is the Pierson-Moskowitz spectrum, more is narrower.
+    /// Shape parameter lambda; 1 gives the Pierson-Moskowitz spectrum, a larger value a narrower one.
     pub shape: f64,
 }
 
@@ -22,14 +22,14 @@ pub struct OchiHubblePart {
 /// of the parts' Hs^2 / 16.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OchiHubble {
-    /// In order of increasing peak frequency.
+    /// The parts, in order of increasing peak frequency.
     parts: [OchiHubblePart; 2],
     /// Factor of the shape of each part, m^2 s/rad.
     scales: [f64; 2],
 }
 
 impl OchiHubble {
-    /// The spectrum of two parts.
+    /// Creates the spectrum of two parts.
     ///
     /// # Errors
     /// A height outside 1e-6 to 100 m, a period outside 0.01 to 1000 s, a shape outside 0.5 to 20.
@@ -53,13 +53,13 @@ impl OchiHubble {
         self.parts.iter().zip(self.scales).map(of_part).sum()
     }
 
-    /// Angular frequencies of the parts' peaks, rad/s, increasing.
+    /// Returns the peak frequencies of the parts, rad/s, increasing.
     pub fn peaks_rad_s(&self) -> [f64; 2] {
         self.parts.map(|part| TAU / part.peak_period_s)
     }
 }
 
-/// (1/4) Hs^2 (lambda + 1/4)^lambda / (Gamma(lambda) w_p).
+/// Returns (1/4) Hs^2 (lambda + 1/4)^lambda / (Gamma(lambda) w_p).
 fn scale(part: OchiHubblePart) -> f64 {
     let OchiHubblePart { significant_height_m: height, peak_period_s, shape } = part;
     let gamma_part = libm::exp(shape * libm::log(shape + 0.25) - libm::lgamma(shape));

@@ -6,8 +6,8 @@ use super::gamma_shape;
 use crate::sea::waves::error::{HEIGHTS_M, PERIODS_S, WaveError, between};
 
 /// S(w) = (5/16) Hs^2 w_p^4 w^-5 exp(-(5/4) (w / w_p)^-4): Pierson & Moskowitz (1964) in the form of
-/// DNV-RP-C205, sec. 3.5, which others call Bretschneider's, the modified Pierson-Moskowitz or the
-/// ISSC spectrum. m0 = Hs^2 / 16 exactly, Tz = 0.710 Tp.
+/// DNV-RP-C205, sec. 3.5, also known as the Bretschneider, the modified Pierson-Moskowitz or the ISSC
+/// spectrum. m0 = Hs^2 / 16 exactly, Tz = 0.710 Tp.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PiersonMoskowitz {
     significant_height_m: f64,
@@ -15,7 +15,7 @@ pub struct PiersonMoskowitz {
 }
 
 impl PiersonMoskowitz {
-    /// The spectrum of this significant wave height and peak period.
+    /// Creates the spectrum with this significant wave height and peak period.
     ///
     /// # Errors
     /// A height outside 1e-6 to 100 m, a period outside 0.01 to 1000 s.

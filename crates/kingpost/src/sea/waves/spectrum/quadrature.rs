@@ -11,11 +11,11 @@ const RULE: [(f64, f64); 4] = [
     (0.861_136_311_594_052_6, 0.347_854_845_137_453_85),
 ];
 
-/// The longest sub-interval, as a ratio of its ends: a quarter of the width of a JONSWAP peak.
+/// Largest ratio of the ends of a sub-interval: a quarter of the width of a JONSWAP peak.
 const LONGEST_RATIO: f64 = 1.02;
 
-/// The band cut at the nodes, and each piece cut in equal ratios of at most 1.02. A piece that begins
-/// at 0 stays whole.
+/// Returns the sub-intervals of a band: it is divided at the nodes, and each part into equal ratios of at
+/// most 1.02. A part that starts at 0 is not divided.
 pub(crate) fn sub_intervals(nodes: &[f64], band: Band) -> Vec<f64> {
     let inside = nodes.iter().copied().filter(|&w| w > band.lowest_rad_s && w < band.highest_rad_s);
     let mut ends = vec![band.lowest_rad_s];
@@ -36,13 +36,13 @@ pub(crate) fn sub_intervals(nodes: &[f64], band: Band) -> Vec<f64> {
     ends
 }
 
-/// The integral of a function over one interval.
+/// Returns the integral of a function over one interval.
 pub(crate) fn over_interval(start: f64, end: f64, function: impl Fn(f64) -> f64) -> f64 {
     let (middle, half) = (0.5 * (start + end), 0.5 * (end - start));
     RULE.iter().map(|&(point, weight)| weight * function(middle + half * point)).sum::<f64>() * half
 }
 
-/// The integral over a band of a function that is smooth between the nodes.
+/// Returns the integral over a band of a function that is smooth between the nodes.
 pub(crate) fn integral(nodes: &[f64], band: Band, function: impl Fn(f64) -> f64) -> f64 {
     sub_intervals(nodes, band).windows(2).map(|ends| over_interval(ends[0], ends[1], &function)).sum()
 }
@@ -60,7 +60,7 @@ mod tests {
         assert!((integral(&[1.0], band, kinked) / exact - 1.0).abs() < 1e-13);
     }
 
-    /// integral of w^-3 over [1, 10^4], whose error is of order 8 in the ratio of 0.02.
+    /// Integral of w^-3 over [1, 10^4], with an error of order 8 in the ratio less one, 0.02.
     #[test]
     fn long_tails_are_integrated() {
         let band = Band { lowest_rad_s: 1.0, highest_rad_s: 1e4 };

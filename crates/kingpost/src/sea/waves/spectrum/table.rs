@@ -9,13 +9,13 @@ pub struct SpectrumTable {
     densities_m2_s: Vec<f64>,
 }
 
-/// Angular frequencies that a table may hold, rad/s.
+/// Smallest and largest angular frequency of a table, rad/s.
 const FREQUENCIES_RAD_S: [f64; 2] = [0.0, 1e3];
-/// Densities that a table may hold, m^2 s/rad.
+/// Smallest and largest density of a table, m^2 s/rad.
 const DENSITIES_M2_S: [f64; 2] = [0.0, 1e6];
 
 impl SpectrumTable {
-    /// The spectrum of these rows: angular frequency, rad/s, and S, m^2 s/rad.
+    /// Creates the spectrum of these rows: angular frequency, rad/s, and S, m^2 s/rad.
     ///
     /// # Errors
     /// Fewer than two rows, frequencies that do not increase or are negative, densities that are
@@ -52,7 +52,7 @@ impl SpectrumTable {
         s0 + (s1 - s0) * (w - w0) / (w1 - w0)
     }
 
-    /// The table's frequencies, rad/s.
+    /// Returns the table's frequencies, rad/s.
     pub fn frequencies_rad_s(&self) -> &[f64] {
         &self.frequencies_rad_s
     }

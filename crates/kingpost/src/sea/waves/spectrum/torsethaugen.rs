@@ -1,4 +1,4 @@
-//! The two-peaked spectrum of Torsethaugen, simplified.
+//! Simplified two-peaked spectrum of Torsethaugen.
 
 use core::f64::consts::{PI, TAU};
 
@@ -6,18 +6,18 @@ use super::{Band, gamma_shape, integral, peak_enhancement};
 use crate::sea::waves::error::{HEIGHTS_M, PERIODS_S, WaveError, between};
 
 /// Wind sea and swell of the Norwegian Sea from the height and period of the total sea: Torsethaugen & Haver,
-/// "Simplified double peak spectral model for ocean waves", *Proc. 14th ISOPE* (2004), paper 2004-JSC-193; DNV-RP-C205,
-/// sec. 3.5 and app. A. With T_f = 6.6 Hs^(1/3), wind sea holds the peak where Tp <= T_f, and swell otherwise. Each
-/// system is S(w) = (Hs_j^2 / 16 w_pj) G A x^-4 exp(-x^-4) gamma_j^exp(-(x - 1)^2 / (2 sigma^2)) with x = w / w_pj and
-/// gamma = 1 for the secondary one. Where the source gives G = 3.26 and a fit for A, both are found by integration over
-/// all frequencies here, so that m0 = Hs^2 / 16.
+/// "Simplified double peak spectral model for ocean waves", *Proc. 14th ISOPE* (2004), paper 2004-JSC-193;
+/// DNV-RP-C205, sec. 3.5 and app. A. With T_f = 6.6 Hs^(1/3), the peak belongs to the wind sea if Tp <= T_f,
+/// otherwise to the swell. Each system is S(w) = (Hs_j^2 / 16 w_pj) G A x^-4 exp(-x^-4) gamma_j^exp(-(x -
+/// 1)^2 / (2 sigma^2)) with x = w / w_pj and gamma = 1 for the secondary system. The source gives G = 3.26
+/// and a fit for A; here both are computed by integration over all frequencies, so that m0 = Hs^2 / 16.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Torsethaugen {
     primary: TorsethaugenPart,
     secondary: TorsethaugenPart,
 }
 
-/// One of the two systems.
+/// One of the two wave systems.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct TorsethaugenPart {
     peak_rad_s: f64,
@@ -27,11 +27,11 @@ struct TorsethaugenPart {
 }
 
 impl Torsethaugen {
-    /// The spectrum with this significant wave height and peak period of the total sea.
+    /// Creates the spectrum for this significant wave height and peak period of the total sea.
     ///
     /// # Errors
-    /// A height outside 1e-6 to 100 m, a period outside 0.01 to 1000 s, a sea steeper or longer than
-    /// the model knows: Tp not above 2 sqrt(Hs) or not below 25 s.
+    /// A height outside 1e-6 to 100 m, a period outside 0.01 to 1000 s, a sea outside the model's range of
+    /// steepness and length: Tp not above 2 sqrt(Hs) or not below 25 s.
     pub fn new(significant_height_m: f64, peak_period_s: f64, gravity_m_s2: f64) -> Result<Self, WaveError> {
         let (height, period) = (significant_height_m, peak_period_s);
         between("significant_height_m", height, HEIGHTS_M)?;
@@ -66,8 +66,8 @@ impl Torsethaugen {
         self.primary.density_m2_s(angular_frequency_rad_s) + self.secondary.density_m2_s(angular_frequency_rad_s)
     }
 
-    /// Angular frequencies of the two peaks, rad/s, increasing; only the primary one if the secondary system has no
-    /// energy.
+    /// Returns the angular frequencies of the two peaks, rad/s, increasing; only that of the primary system
+    /// if the secondary system has no energy.
     pub fn peaks_rad_s(&self) -> Vec<f64> {
         let mut peaks = vec![self.primary.peak_rad_s];
         if self.secondary.scale > 0.0 {
@@ -78,14 +78,14 @@ impl Torsethaugen {
     }
 }
 
-/// Heights of two systems with this total height, the first with this share of it.
+/// Returns the heights of two systems with this total height; the first has this share of the total.
 fn shared(height: f64, share: f64) -> (f64, f64) {
     (share * height, height * libm::sqrt((1.0 - share * share).max(0.0)))
 }
 
 impl TorsethaugenPart {
-    /// A system of this height, peak period and sharpness. A gamma below 1, which the formulas give for seas of low
-    /// steepness, counts as 1.
+    /// Creates a system with this height, peak period and peak enhancement factor. A gamma below 1, which the
+    /// formulas give for seas of low steepness, counts as 1.
     fn new(height_m: f64, peak_period_s: f64, gamma: f64) -> Self {
         let gamma = gamma.max(1.0);
         if height_m <= 0.0 {
