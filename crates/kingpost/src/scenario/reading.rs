@@ -30,7 +30,7 @@ pub(crate) trait FromNode: Sized {
     }
 
     /// Visits the texts in a node that name other entries or files.
-    fn visit_texts(node: &mut ScenarioNode, visit: &mut dyn FnMut(TextKind, &mut String)) {
+    fn visit_texts(node: &mut ScenarioNode, visit: &mut TextVisitor<'_>) {
         visit_fields(Self::fields_with_texts(), node, visit);
     }
 
@@ -47,10 +47,13 @@ pub(crate) trait FromNode: Sized {
     }
 }
 
+/// A visitor of texts.
+pub(crate) type TextVisitor<'a> = dyn FnMut(TextKind, &mut String) + 'a;
+
 /// A field of a type, and the texts in it.
 pub(crate) struct FieldWithTexts {
     name: &'static str,
-    visit_texts: fn(&mut ScenarioNode, &mut dyn FnMut(TextKind, &mut String)),
+    visit_texts: fn(&mut ScenarioNode, &mut TextVisitor<'_>),
     text_at: fn(&[&str]) -> Option<TextKind>,
 }
 
@@ -202,7 +205,7 @@ pub(crate) fn kind<'a>(node: &'a ScenarioNode, kinds: &[&str]) -> Result<(&'a st
 }
 
 /// Visits the texts in the fields that are written.
-fn visit_fields(known: &[FieldWithTexts], node: &mut ScenarioNode, visit: &mut dyn FnMut(TextKind, &mut String)) {
+fn visit_fields(known: &[FieldWithTexts], node: &mut ScenarioNode, visit: &mut TextVisitor<'_>) {
     let Content::Fields(fields) = &mut node.content else { return };
     for field in known {
         if let Some(of) = fields.get_mut(field.name) {
@@ -212,14 +215,14 @@ fn visit_fields(known: &[FieldWithTexts], node: &mut ScenarioNode, visit: &mut d
 }
 
 /// Visits the texts in the entries of a list.
-fn visit_entries<T: FromNode>(node: &mut ScenarioNode, visit: &mut dyn FnMut(TextKind, &mut String)) {
+fn visit_entries<T: FromNode>(node: &mut ScenarioNode, visit: &mut TextVisitor<'_>) {
     if let Content::List(entries) = &mut node.content {
         entries.iter_mut().for_each(|entry| T::visit_texts(entry, visit));
     }
 }
 
 /// Visits the text of a scalar.
-pub(crate) fn visit_text(node: &mut ScenarioNode, kind: TextKind, visit: &mut dyn FnMut(TextKind, &mut String)) {
+pub(crate) fn visit_text(node: &mut ScenarioNode, kind: TextKind, visit: &mut TextVisitor<'_>) {
     if let Content::Scalar(Value::String(text)) = &mut node.content {
         visit(kind, text);
     }
@@ -321,7 +324,7 @@ impl<T: FromNode> FromNode for Option<T> {
     fn absent() -> Option<Self> {
         Some(None)
     }
-    fn visit_texts(node: &mut ScenarioNode, visit: &mut dyn FnMut(TextKind, &mut String)) {
+    fn visit_texts(node: &mut ScenarioNode, visit: &mut TextVisitor<'_>) {
         T::visit_texts(node, visit);
     }
     fn text_at(path: &[&str]) -> Option<TextKind> {
@@ -339,7 +342,7 @@ impl<T: FromNode> FromNode for Box<T> {
     fn allowed() -> String {
         T::allowed()
     }
-    fn visit_texts(node: &mut ScenarioNode, visit: &mut dyn FnMut(TextKind, &mut String)) {
+    fn visit_texts(node: &mut ScenarioNode, visit: &mut TextVisitor<'_>) {
         T::visit_texts(node, visit);
     }
     fn text_at(path: &[&str]) -> Option<TextKind> {
@@ -366,7 +369,7 @@ impl<T: FromNode> FromNode for Vec<T> {
     fn allowed() -> String {
         wording::LIST.to_owned()
     }
-    fn visit_texts(node: &mut ScenarioNode, visit: &mut dyn FnMut(TextKind, &mut String)) {
+    fn visit_texts(node: &mut ScenarioNode, visit: &mut TextVisitor<'_>) {
         visit_entries::<T>(node, visit);
     }
     fn text_at(path: &[&str]) -> Option<TextKind> {
@@ -387,7 +390,7 @@ impl<T: FromNode, const N: usize> FromNode for [T; N] {
     fn allowed() -> String {
         wording::list_of_numbers(N)
     }
-    fn visit_texts(node: &mut ScenarioNode, visit: &mut dyn FnMut(TextKind, &mut String)) {
+    fn visit_texts(node: &mut ScenarioNode, visit: &mut TextVisitor<'_>) {
         visit_entries::<T>(node, visit);
     }
     fn text_at(path: &[&str]) -> Option<TextKind> {
@@ -407,7 +410,7 @@ impl<K: FromName, T: FromNode> FromNode for IndexMap<K, T> {
     fn allowed() -> String {
         wording::FIELDS.to_owned()
     }
-    fn visit_texts(node: &mut ScenarioNode, visit: &mut dyn FnMut(TextKind, &mut String)) {
+    fn visit_texts(node: &mut ScenarioNode, visit: &mut TextVisitor<'_>) {
         if let Content::Fields(fields) = &mut node.content {
             fields.values_mut().for_each(|field| T::visit_texts(&mut field.node, visit));
         }

@@ -7,7 +7,7 @@ use std::ops::Deref;
 use serde::Serialize;
 use serde_json::Value;
 
-use super::reading::{FileKind, FromName, FromNode, ReadFault, TextKind, visit_text};
+use super::reading::{FileKind, FromName, FromNode, ReadFault, TextKind, TextVisitor, visit_text};
 use super::tree::ScenarioNode;
 use super::wording::{COLOUR, COORDINATE_NAME, NAME, SIGNAL_NAME, TEXT, VERSION};
 use super::writing::ToValue;
@@ -74,7 +74,7 @@ macro_rules! formed_text {
             fn allowed() -> String {
                 $allowed.to_owned()
             }
-            fn visit_texts(node: &mut ScenarioNode, visit: &mut dyn FnMut(TextKind, &mut String)) {
+            fn visit_texts(node: &mut ScenarioNode, visit: &mut TextVisitor<'_>) {
                 let kind: Option<TextKind> = $kind;
                 if let Some(kind) = kind {
                     visit_text(node, kind, visit);

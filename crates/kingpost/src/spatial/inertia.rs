@@ -198,9 +198,9 @@ impl<S: Scalar> AddAssign for SpatialInertia<S> {
 }
 
 impl Symmetric3<f64> {
-    /// Returns whether these can be the moments of inertia of a body: the second moments of mass, `tr(J)/2 I
-    /// - J`, must not be negative in any direction, which is the triangle inequality of the principal
-    /// moments. A rod and a plate are at the limit; rounding is allowed.
+    /// Returns whether these can be the moments of inertia of a body: the second moments of mass,
+    /// `tr(J)/2 I - J`, must not be negative in any direction, which is the triangle inequality of the
+    /// principal moments. A rod and a plate are at the limit; rounding is allowed.
     pub fn holds_triangle_inequality(&self) -> bool {
         let entries = [self.xx, self.xy, self.xz, self.yy, self.yz, self.zz];
         if !entries.iter().all(|x| x.is_finite()) {

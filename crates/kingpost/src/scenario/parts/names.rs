@@ -4,7 +4,7 @@ use serde_json::Value;
 
 use super::super::error::{Fault, SourcePlace};
 use super::super::part_names::{self, SECTIONS};
-use super::super::reading::{FromNode, TextKind};
+use super::super::reading::{FromNode, TextKind, TextVisitor};
 use super::super::schema::Scenario;
 use super::super::tree::{Content, ScenarioNode};
 use super::super::wording;
@@ -45,7 +45,7 @@ pub fn into_whole(tree: &mut ScenarioNode, prefix: &str, file: &str, label: &str
 }
 
 /// Visits the texts of one section that name entries or files.
-fn visit_section(tree: &mut ScenarioNode, section: &str, visit: &mut dyn FnMut(TextKind, &mut String)) {
+fn visit_section(tree: &mut ScenarioNode, section: &str, visit: &mut TextVisitor<'_>) {
     let Content::Fields(fields) = &mut tree.content else { return };
     let Some(field) = fields.get_mut(section) else { return };
     let alone = Content::Fields([(section.to_owned(), field.clone())].into_iter().collect());
