@@ -7,8 +7,7 @@ use kingpost::batch::{BatchError, Variant, check_count, run_within};
 use kingpost::scenario;
 use pyo3::prelude::*;
 
-/// Rows of each run, the error that ended the run or None, and, as JSON, the channels and each run's warnings and
-/// limits.
+/// Rows of each run, its error or None, and, as JSON, the channels and each run's warnings and limits.
 type Runs<'py> = (Vec<Matrix<'py>>, Vec<Option<PyErr>>, String);
 
 /// Whether the processor has AVX2, which a build of this module may require.
@@ -26,8 +25,7 @@ pub fn check_batch(runs: usize, most_bytes: u64) -> PyResult<()> {
     check_count(runs, most_bytes).map_err(errors::input)
 }
 
-/// Runs all variants, a JSON list of lists of `[name, value]`; `most` holds the number of threads and the largest
-/// number of recorded bytes.
+/// Runs all variants, a JSON list of lists of `[name, value]`; `most` holds the largest numbers of threads and bytes.
 #[pyfunction]
 #[pyo3(signature = (text, file, files, variants_json, most, progress=None))]
 pub fn batch<'py>(

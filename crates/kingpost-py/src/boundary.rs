@@ -44,8 +44,7 @@ impl Look {
     }
 }
 
-/// Runs work on other threads, while the calling thread checks for Ctrl-C and reports progress. The work gets a
-/// function to report its progress, which returns whether to continue.
+/// Runs work on other threads. The calling thread checks for Ctrl-C and reports the progress that the work passes on.
 pub fn watched<T: Send>(
     py: Python<'_>,
     look: &Look,

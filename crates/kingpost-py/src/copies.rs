@@ -34,8 +34,7 @@ impl VectorEnsemble {
 
 #[pymethods]
 impl VectorEnsemble {
-    /// Builds a copy for each variant; `asked` holds the names of inputs and of columns, whether limits are checked,
-    /// and the number of threads.
+    /// Builds a copy for each variant; `asked`: names of inputs and of columns, whether limits are checked, threads.
     #[new]
     fn new(
         text: &str,

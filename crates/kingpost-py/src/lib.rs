@@ -1,7 +1,6 @@
 //! The Python module `kingpost._engine`: conversions and exceptions only.
 //!
-//! Arrays are passed as NumPy arrays, structured data as JSON. The documented interface with labels is the Python
-//! package in `python/kingpost`.
+//! Arrays are passed as NumPy arrays, structured data as JSON. The documented interface is in `python/kingpost`.
 
 mod batch;
 mod boundary;

@@ -8,8 +8,7 @@ use kingpost::scenario::{self, BuiltScenario};
 use pyo3::prelude::*;
 use std::sync::Arc;
 
-/// Rows, the derivatives of the rows with respect to each parameter, the channels as JSON, and the error that ended the
-/// run or None.
+/// Rows, their derivatives with respect to each parameter, the channels as JSON, and the error of the run or None.
 type Gradient<'py> = (Matrix<'py>, Vec<Matrix<'py>>, String, Option<PyErr>);
 
 /// A scenario, read and built once, and immutable.

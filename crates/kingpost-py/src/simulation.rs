@@ -80,8 +80,7 @@ impl Simulation {
         })
     }
 
-    /// Runs to the end and returns the recorded rows, and the error that ended the run or None: divergence, Ctrl-C or
-    /// an exception of the progress callback.
+    /// Runs to the end; returns the rows, and the error or None: divergence, Ctrl-C, an exception of the callback.
     #[pyo3(signature = (progress=None))]
     fn run<'py>(&self, py: Python<'py>, progress: Option<Py<PyAny>>) -> PyResult<(Matrix<'py>, Option<PyErr>)> {
         self.with(|held| {
@@ -309,8 +308,7 @@ impl Simulation {
         })
     }
 
-    /// Returns the response of columns to waves, and its other data as JSON; `asked_json` holds waves, columns, and
-    /// whether resonances are refined.
+    /// Returns the response of columns to waves; `asked_json`: waves, columns, whether resonances are refined.
     fn column_response<'py>(&self, py: Python<'py>, asked_json: &str) -> PyResult<(Matrix<'py>, String)> {
         self.with(|held| {
             let (waves, names, near): (_, Vec<_>, _) = serde_json::from_str(asked_json).map_err(errors::input)?;
@@ -321,8 +319,7 @@ impl Simulation {
         })
     }
 
-    /// Returns the energy of wave systems, as JSON; `asked_json` holds a list of `sea.waves`, frequencies in rad/s, and
-    /// a number of directions.
+    /// Returns wave spectra as JSON; `asked_json`: a list of `sea.waves`, frequencies in rad/s, a number of directions.
     fn sea_spectra_json(&self, asked_json: &str) -> PyResult<String> {
         self.with(|held| {
             let (seas, frequencies, directions): (Vec<serde_json::Value>, Vec<f64>, usize) =

@@ -157,7 +157,7 @@ fn what_cannot_be_is_named_with_its_place() {
         (vec![("body", json!("rat"))], "body", "raft"),
         (vec![("receiver", json!("gnss"))], "receiver", "does not have a satellite receiver"),
         (vec![("filter", json!({"wave_period_s": 0.05}))], "filter.wave_period_s", "at least four times period_s"),
-        (vec![("filter", json!({"wave_motion_m": 1e-200}))], "filter", "gains of finite size"),
+        (vec![("filter", json!({"wave_motion_m": 1e-200}))], "filter", "finite filter gains"),
         (vec![("delay_samples", json!(1001))], "delay_samples", "0 to 1000"),
     ] {
         let changes: Vec<(String, Value)> =

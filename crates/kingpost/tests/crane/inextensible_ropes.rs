@@ -374,7 +374,9 @@ fn an_invalid_field_of_an_inextensible_rope_is_refused_at_its_place() {
     };
     let short = refused("unstretched_length_m: 4.9");
     assert!(
-        short.contains("forces.rope.rope.unstretched_length_m: found 4.9 m, allowed: at least 5 m, its path"),
+        short.contains(
+            "forces.rope.rope.unstretched_length_m: found 4.9 m, allowed: at least 5 m, the length of its path"
+        ),
         "{short}"
     );
     let damped = refused("damping_time_s: 0.01");

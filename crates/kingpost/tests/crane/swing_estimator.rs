@@ -109,7 +109,7 @@ fn what_cannot_be_is_named_with_its_place() {
     for (field, value, what) in [
         ("body", json!("loat"), "load"),
         ("filter", json!({"swing_period_s": 0.05}), "at least four times period_s"),
-        ("filter", json!({"swing_rad": 1e-200}), "gains of finite size"),
+        ("filter", json!({"swing_rad": 1e-200}), "finite filter gains"),
         ("delay_samples", json!(1001), "0 to 1000"),
     ] {
         let found = with_changes(TEXT, &[(&format!("{GYROS}.{field}"), value)])
