@@ -172,7 +172,7 @@ def test_a_gradient_contains_the_run_and_its_derivatives(tmp_path):
     assert "ship.roll_derivative.bodies.arm.mass_kg" in table.columns
 
 
-def test_the_motor_works_torque_times_angle_and_so_does_its_derivative():
+def test_the_work_of_a_motor_is_torque_times_angle_with_its_derivative():
     """Source: W = T a; dW/dT = a + T da/dT."""
     found = kingpost.gradient("paper", "drives.motor_1.motor.torque_N_m", SHORT).isel(time=-1)
     angle = found.sel(coordinate="slew")

@@ -112,7 +112,7 @@ def test_the_error_for_too_few_panels_proposes_a_number_that_passes():
         (20_000, 2.0, True, "keep to lower frequencies"),
     ],
 )
-def test_the_advice_depends_on_panels_and_lid(panels, draught_m, has_lid, says):
+def test_the_advice_on_unphysical_coefficients_names_more_panels_or_a_lid(panels, draught_m, has_lid, says):
     """Source: twice the panels; a lid wants panels of twice the draught; 6000 are solved for at most."""
     text = f"box:length_m=20,beam_m=10,draught_m={draught_m},depth_m=5"
     assert says in build._remedy(parametric(parse_shape(text), text, panels), has_lid)

@@ -104,7 +104,9 @@ def test_the_present_position_of_the_crane_is_used() -> None:
     )
 
 
-def test_files_and_the_picture_contain_the_values_of_the_data_set(tmp_path, capsys) -> None:
+def test_the_command_rao_writes_and_prints_the_values_of_the_data_set_and_writes_a_png(
+    tmp_path, capsys
+) -> None:
     grid = [
         "--directions-deg",
         "180",

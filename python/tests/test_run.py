@@ -38,7 +38,7 @@ def test_work_of_the_motor_is_kinetic_energy_and_momentum_stays_zero(calibration
     assert np.abs(last["angular_momentum"]).max() < 1e-4
 
 
-def test_the_motor_works_torque_times_angle(calibration):
+def test_the_work_of_a_constant_motor_torque_is_torque_times_angle(calibration):
     """Source: the work of a constant torque is torque times angle, 100,000 N m here."""
     turned = calibration["joint_position"].sel(coordinate="slew")[-1].item()
     assert calibration["work_by_drives"][-1].item() == pytest.approx(1e5 * turned, rel=1e-9)

@@ -55,7 +55,7 @@ describe("lines that can be drawn", () => {
     expect(hasWords({ ...line, about: "tension over weight" }, "weight")).toBe(true);
   });
 
-  it("each hull offers its heave together with the wave", () => {
+  it("each hull has a plot of its heave with the wave elevation", () => {
     const hull = { name: "water", body: "ship", origin_m: [0, 0, 1.5] as [number, number, number], draught_m: 2, length_m: 20, beam_m: 4, is_linear: true, mesh: null };
     const channels = [channelOf("position", ["body", "axis"], [["ship"], ["x", "y", "z"]], ["m"]), channelOf("wave_elevation", ["hull"], [["water"]], ["m"])];
     const figures = new Figures({ ...described, hulls: [hull] }, channels);

@@ -1,4 +1,4 @@
-"""Handling of Ctrl-C and of the system's signals to end: at once, or after a block."""
+"""Handling of Ctrl-C, SIGTERM and SIGHUP: an interrupt at once, or at the end of a block."""
 
 from __future__ import annotations
 

@@ -71,7 +71,7 @@ def _on(given: dict[str, Any]) -> str:
 
 
 def _cut(sea: dict[str, Any] | None) -> list[str]:
-    """Lines on the energy that is cut off the spectra of the sea, if any."""
+    """Report a line for each spectrum that is partly cut off: the lost energy, and Hs with and without."""
     found = []
     for cut in sea["cut_spectra"] if sea else []:
         whole, kept = cut["significant_height_m"], 1 - cut["energy_cut_off"]

@@ -55,7 +55,7 @@ export class LimitTrack {
     this.worsts = this.worsts.filter((worst) => worst.time_s <= time_s);
   }
 
-  /** Returns the worst value up to a time; null if no value counts yet. */
+  /** Returns the worst value since the limit applies, up to a time; null if there is none. */
   worstUntil(time_s: number): Worst | null {
     let at = this.worsts.length - 1;
     while (at >= 0 && this.worsts[at].time_s > time_s) at -= 1;

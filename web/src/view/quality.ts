@@ -6,7 +6,7 @@ export interface Tier {
   pixelRatio: number;
   /** Number of texels along an edge of the shadow map. */
   shadowSize: number;
-  /** Whether there are ripples on the sea, interpolated lines and light from the sky; otherwise flat colours. */
+  /** Whether the sea has ripples and interpolated grid lines, and the sky lights the scene; otherwise flat shading. */
   ripples: boolean;
 }
 

@@ -25,7 +25,7 @@ pub trait Numbers<S> {
     fn leave(&mut self) {}
 }
 
-/// Converts a field, the fields of a variant, or an entry, with its segment appended to the path.
+/// Converts a field, a variant, or an entry of a map or list; `segment` extends the present path to it.
 pub fn within<S, T: OverScalar<S>>(value: &T, segment: &dyn Display, numbers: &mut dyn Numbers<S>) -> T::Over {
     numbers.enter(segment);
     let converted = value.over(numbers);

@@ -123,7 +123,7 @@ fn a_pendulum_lengthened_by_a_winch_swings_by_bessel_functions() {
 
 /// Energy: `k e^2 / 2 - W e = m v^2 / 2` from rest length, and about the static stretch.
 #[test]
-fn the_peak_tension_of_a_suddenly_stopped_load_follows_from_the_energy_with_the_crane_in_series() {
+fn the_peak_tension_at_a_sudden_stop_follows_from_energy_with_rope_and_crane_stiffness_in_series() {
     let (length, speed) = (20.0, 0.8);
     let weight = MASS * GRAVITY;
     let compliance = (length + lead()) / 5e6 + 1.0 / 4e5;

@@ -105,7 +105,7 @@ fn a_stop_never_pulls() {
 }
 
 #[test]
-fn a_slide_with_coulomb_friction_follows_the_integral_of_the_smoothed_law() {
+fn a_mass_slowed_by_smoothed_coulomb_friction_has_the_closed_form_velocity() {
     // m v' = -T v / sqrt(v^2 + s^2) integrates to G(v) = G(v0) - T t / m with
     // G(v) = sqrt(v^2 + s^2) + s ln(v / (s + sqrt(v^2 + s^2))).
     let (friction, smoothing, start) = (6.0, 0.05, 2.0);

@@ -82,7 +82,7 @@ class ScatterTable:
         return float(self.occurrences.sum())
 
     def with_peak_periods(self, peak_enhancement: float = 3.3) -> ScatterTable:
-        """Convert the table to peak periods, by the ratio of a JONSWAP spectrum.
+        """Convert the periods to peak periods, by the ratio of the two in a JONSWAP spectrum.
 
         >>> table = ScatterTable(*np.ones((5, 1)), period="zero_up_crossing")
         >>> round(table.with_peak_periods().period_s.item(), 2)

@@ -14,7 +14,7 @@
 use crate::elements::Context;
 use crate::scalar::Scalar;
 
-/// A drum: the coordinate that winds a rope.
+/// A drum: the coordinate that turns it, its radius and the layers of rope.
 #[derive(Clone, Copy, Debug)]
 pub struct Drum<S = f64> {
     /// Index in q.

@@ -42,8 +42,8 @@ impl<S: Scalar> Sampler<S> {
         self.status_mode() + usize::from(self.drop_outs.is_some())
     }
 
-    /// Returns the declaration of a sensor with this name, these signals and outputs, followed by its status if it can
-    /// drop out.
+    /// Returns the declaration of a sensor with this name, these signals and these outputs; if the sensor can drop out,
+    /// its status is the last output.
     pub fn declaration(&self, name: &str, signals: &[&str], outputs: Vec<Output>) -> Declaration {
         Declaration {
             numbers: self.number_names(signals),

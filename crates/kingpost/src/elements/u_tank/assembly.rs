@@ -20,8 +20,8 @@ fn of<S>(scenario: &Scenario<S>) -> impl Iterator<Item = (&schema::Name, &schema
     })
 }
 
-/// Returns the liquids as bodies, for parents at the indices that `place` returns; a tank whose carrier is disabled has
-/// none.
+/// Returns the liquid of each U-tank as a body, whose parent is the index that `place` returns for the tank's body. A
+/// tank whose body is disabled is left out.
 pub(crate) fn bodies<S: Quantity>(
     scenario: &Scenario<S>,
     place: impl Fn(&str) -> Option<usize>,

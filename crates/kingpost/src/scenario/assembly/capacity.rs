@@ -114,7 +114,7 @@ impl FloatingGroups {
     }
 }
 
-/// Returns the freely floating body that carries this one by joints; `None` if there is none.
+/// Returns the root of this body's joint tree if the root floats freely, otherwise `None`.
 fn floating_root(model: &Model, mut body: usize) -> Option<usize> {
     while let Some(parent) = model.tree.nodes[body].parent {
         body = parent;

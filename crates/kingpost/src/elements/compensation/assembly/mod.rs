@@ -68,7 +68,7 @@ pub struct MotionSource<'a, S> {
     pub prediction: Option<&'a schema::HeavePrediction<S>>,
 }
 
-/// The unit of a compensation: a motion reference unit or an inertial unit.
+/// The motion sensor of a compensation: a motion reference unit or an inertial unit.
 pub struct MotionUnit<S> {
     name: String,
     /// Its body and place.
