@@ -7,7 +7,7 @@ use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::assembly::attachments::attachment;
 use crate::scenario::assembly::axes::axes;
 use crate::scenario::assembly::bodies::joint_name;
-use crate::scenario::assembly::{FieldError, known, sensors};
+use crate::scenario::assembly::{FieldError, known, wires};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema::{self, Force, Positive, Scenario, Sensor};
 use crate::spatial::Vector3;
@@ -138,11 +138,7 @@ pub fn position_aid<S: Quantity>(
     let receivers: Vec<(&str, &schema::SatelliteReceiver<S>)> = enabled.collect();
     let Some((_, receiver)) = receivers.iter().find(|(enabled, _)| *enabled == name) else {
         let names: Vec<&str> = receivers.iter().map(|(name, _)| *name).collect();
-        return Err(FieldError::new(
-            field,
-            name,
-            sensors::allowed(&names, name, "a satellite receiver that is enabled"),
-        ));
+        return Err(FieldError::new(field, name, wires::allowed(&names, name, "a satellite receiver that is enabled")));
     };
     if receiver.body != *body {
         let found = format!("{name}, which is on {}", receiver.body);

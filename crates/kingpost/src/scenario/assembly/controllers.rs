@@ -4,7 +4,7 @@ use crate::elements::{AnyElement, Layout};
 use crate::model::Model;
 use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::assembly::columns::{self, Column};
-use crate::scenario::assembly::{FieldError, sensors};
+use crate::scenario::assembly::{FieldError, wires};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema::{self, Controller, Scenario, SetsInputs};
 
@@ -79,7 +79,7 @@ fn unknown_target<S: Quantity>(
                 let allowed = "an input that does not lead back to it: the last controller sets a drive";
                 return FieldError::new(field, to, allowed);
             }
-            return sensors::no_input(scenario, layout, field, to);
+            return wires::no_input(scenario, layout, field, to);
         }
     }
     FieldError::new("controllers", "an input that is missing", "inputs that exist")

@@ -16,13 +16,13 @@ pub(crate) mod liquids;
 pub(crate) mod loops;
 pub(crate) mod rigid_bodies;
 pub(crate) mod sea_spectra;
-pub(crate) mod sensors;
 pub(crate) mod station;
 pub(crate) mod still_water;
 pub(crate) mod watchers;
 pub(crate) mod wave_motion;
 pub(crate) mod waves;
 pub(crate) mod wind_and_current;
+pub(crate) mod wires;
 pub(crate) mod world;
 
 use crate::dynamics::LinkKinematics;
@@ -115,7 +115,7 @@ fn open<S: Quantity>(scenario: &Scenario<S>) -> Result<Setup<S>, FieldError> {
     elements.extend(sensors);
     elements.extend(wind_and_current::anemometers(&world, &model, &elements));
     let controllers = controllers::add(at, &mut elements)?;
-    let wires = sensors::wires(scenario, &elements)?;
+    let wires = wires::of(scenario, &elements)?;
     for (first, positions) in elements.iter().filter_map(|element| element.given_positions(&world, 0.0)) {
         q[first..first + 6].copy_from_slice(&positions);
     }

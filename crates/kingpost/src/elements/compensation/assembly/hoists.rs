@@ -4,14 +4,14 @@ use crate::elements::compensation::{Hoist, MovedSheaves};
 use crate::elements::drives::{ControlledDrive, SetPoint};
 use crate::elements::{AnyElement, Rope, of_kind};
 use crate::model::{Attachment, Model};
-use crate::scenario::assembly::{FieldError, sensors};
+use crate::scenario::assembly::{FieldError, wires};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema::{Drive, Scenario};
 
 /// Returns the enabled entry named `found`, or an error that lists the enabled entries.
 pub fn named<T>(field: &str, found: &str, (all, names): (Vec<(&str, T)>, &str)) -> Result<T, FieldError> {
     let listed: Vec<&str> = all.iter().map(|(name, _)| *name).collect();
-    let allowed = sensors::allowed(&listed, found, &format!("{names} that is enabled"));
+    let allowed = wires::allowed(&listed, found, &format!("{names} that is enabled"));
     let one = all.into_iter().find(|(name, _)| *name == found);
     one.map(|(_, one)| one).ok_or_else(|| FieldError::new(field, found, allowed))
 }

@@ -10,7 +10,7 @@ use crate::model::AxisMotion::{self, Rotation, Translation};
 use crate::model::{Model, MotionType};
 use crate::scenario::assembly::axes::axes;
 use crate::scenario::assembly::bodies::joint_name;
-use crate::scenario::assembly::{FieldError, known, sensors, wave_motion};
+use crate::scenario::assembly::{FieldError, known, wave_motion, wires};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema::{self, BrakeState, History, Scenario};
 use crate::world::World;
@@ -89,10 +89,10 @@ pub fn build<S: Quantity>(
 
 /// Returns the input for the offset of a servo's target, which a wire may set.
 fn offset<S>(scenario: &Scenario<S>, name: &str, motion: AxisMotion) -> Option<Input> {
-    let name = sensors::offset_of(name);
+    let name = wires::offset_of(name);
     let unit = if motion == Rotation { "rad" } else { "m" };
     let (lower, upper) = (-FARTHEST_OFFSET, FARTHEST_OFFSET);
-    sensors::leads_to(scenario, &name).then_some(Input { name, unit, lower, upper, value: 0.0, signal: None })
+    wires::leads_to(scenario, &name).then_some(Input { name, unit, lower, upper, value: 0.0, signal: None })
 }
 
 /// Largest offset of a servo's target, rad or m.

@@ -19,7 +19,7 @@ pub fn leads_to<S>(scenario: &Scenario<S>, input: &str) -> bool {
 }
 
 /// Returns the enabled wires, each as an input and the signal to which it is connected.
-pub fn wires<S: Quantity>(
+pub fn of<S: Quantity>(
     scenario: &Scenario<S>,
     elements: &[AnyElement<S>],
 ) -> Result<Vec<(String, String)>, FieldError> {
