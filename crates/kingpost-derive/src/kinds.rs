@@ -34,7 +34,7 @@ pub fn inputs(item: &DeriveInput) -> Tokens {
     let kinds: Vec<_> = data.variants.iter().map(|variant| &variant.ident).collect();
     let in_files = kinds.iter().map(|kind| snake_case(&kind.to_string()));
     quote! {
-        impl<S> SetsInputs for #name<S> {
+        impl<S> crate::scenario::schema::SetsInputs for #name<S> {
             fn targets(&self) -> Vec<(String, &str)> {
                 let (kind, targets) = match self {
                     #(Self::#kinds(given) => (#in_files, given.targets()),)*

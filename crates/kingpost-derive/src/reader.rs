@@ -13,17 +13,14 @@ pub fn reader(item: &DeriveInput, all_default: bool) -> Result<Tokens> {
         let scalar = &parameter.ident;
         quote!(type #scalar = f64;)
     });
-    let (body, allowed, rest) = match &item.data {
+    let (body, allowed, declared) = match &item.data {
         Data::Struct(data) => {
             let read = |(k, field)| read_field(k, field);
             let fields: Vec<Read<'_>> = data.fields.iter().enumerate().map(read).collect::<Result<_>>()?;
-            let names = fields.iter().filter(|field| !field.stated.absent).map(Read::name);
-            let names = quote!(const FIELDS: &'static [&'static str] = &[#(#names),*];);
-            let places = places(&fields);
             let in_files = fields.iter().filter(|field| !field.stated.absent);
-            let texts = texts(in_files.map(|field| (field.name(), field.of)), &scalar);
+            let declared = declared(in_files.map(|field| (field.name(), field.of, field.placed.as_ref())), &scalar);
             let body = of_fields(&fields, all_default);
-            (body, quote!(crate::scenario::wording::FIELDS.to_owned()), quote!(#names #texts #places))
+            (body, quote!(crate::scenario::wording::FIELDS.to_owned()), declared)
         }
         Data::Enum(data) => {
             let kinds: Vec<String> =
@@ -39,17 +36,15 @@ pub fn reader(item: &DeriveInput, all_default: bool) -> Result<Tokens> {
             };
             let with_fields = data.variants.iter().zip(&kinds);
             let with_fields =
-                with_fields.filter_map(|(variant, kind)| Some((kind.clone(), &variant.fields.iter().next()?.ty)));
-            let with_fields: Vec<(String, &Type)> = with_fields.collect();
-            let places = places_of_kinds(&with_fields, &scalar);
-            let texts = texts(with_fields.into_iter(), &scalar);
-            (body, quote!(crate::scenario::wording::one_of(&[#(#kinds),*])), quote!(#texts #places))
+                with_fields.filter_map(|(variant, kind)| Some((kind.clone(), &variant.fields.iter().next()?.ty, None)));
+            let declared = declared(with_fields, &scalar);
+            (body, quote!(crate::scenario::wording::one_of(&[#(#kinds),*])), declared)
         }
         Data::Union(_) => return Err(Error::new_spanned(name, "a struct or an enum")),
     };
     Ok(quote! {
         impl crate::scenario::reading::FromNode for #name {
-            #rest
+            #declared
             fn read(node: &crate::scenario::tree::ScenarioNode) -> Result<Self, crate::scenario::reading::ReadFault> {
                 use crate::scenario::reading;
                 #scalar
@@ -62,40 +57,20 @@ pub fn reader(item: &DeriveInput, all_default: bool) -> Result<Tokens> {
     })
 }
 
-/// The fields, or the fields of the kinds, in which texts name entries or files.
-fn texts<'a>(fields: impl Iterator<Item = (String, &'a Type)>, scalar: &Option<Tokens>) -> Tokens {
-    let (names, types): (Vec<String>, Vec<&Type>) = fields.unzip();
+/// Returns the table of the fields in files, or of the kinds with fields, each with its type and its kind of place.
+fn declared<'a>(fields: impl Iterator<Item = (String, &'a Type, Option<&'a Path>)>, scalar: &Option<Tokens>) -> Tokens {
+    let declared = fields.map(|(name, of, placed)| {
+        let placed = match placed {
+            Some(place) => quote!(Some(crate::scenario::reading::PlaceKind::#place)),
+            None => quote!(None),
+        };
+        quote!(crate::scenario::reading::DeclaredField::of::<#of>(#name, #placed))
+    });
     quote! {
-        fn fields_with_texts() -> &'static [crate::scenario::reading::FieldWithTexts] {
+        fn declared_fields() -> &'static [crate::scenario::reading::DeclaredField] {
             #scalar
-            const FIELDS_WITH_TEXTS: &[crate::scenario::reading::FieldWithTexts] =
-                &[#(crate::scenario::reading::FieldWithTexts::of::<#types>(#names)),*];
-            FIELDS_WITH_TEXTS
-        }
-    }
-}
-
-/// Returns the fields that are places in the world.
-fn places(fields: &[Read<'_>]) -> Tokens {
-    let placed = fields.iter().filter_map(|field| Some((field.name(), field.placed.as_ref()?)));
-    let (names, kinds): (Vec<String>, Vec<&Path>) = placed.unzip();
-    let kinds = kinds.into_iter().map(|kind| quote!(crate::scenario::reading::PlaceKind::#kind));
-    quote! {
-        fn places(_: &str) -> &'static [(&'static str, crate::scenario::reading::PlaceKind)] {
-            &[#((#names, #kinds)),*]
-        }
-    }
-}
-
-fn places_of_kinds(with_fields: &[(String, &Type)], scalar: &Option<Tokens>) -> Tokens {
-    let (names, types): (Vec<&String>, Vec<&Type>) = with_fields.iter().map(|(name, of)| (name, of)).unzip();
-    quote! {
-        fn places(kind: &str) -> &'static [(&'static str, crate::scenario::reading::PlaceKind)] {
-            #scalar
-            match kind {
-                #(#names => <#types as crate::scenario::reading::FromNode>::places(kind),)*
-                _ => &[],
-            }
+            const DECLARED_FIELDS: &[crate::scenario::reading::DeclaredField] = &[#(#declared),*];
+            DECLARED_FIELDS
         }
     }
 }
@@ -134,7 +109,7 @@ fn of_fields(fields: &[Read<'_>], all_default: bool) -> Tokens {
         for (name, of) in reading::fields(node)? {
             match name.as_str() {
                 #(#arms)*
-                _ => return Err(reading::unknown(name, of, Self::FIELDS)),
+                _ => return Err(reading::unknown(name, of, Self::declared_fields())),
             }
         }
         #whole

@@ -13,7 +13,7 @@ use super::{field_search, unit_conversion, units, wording};
 
 /// Returns whether a name is a field at the top level of a scenario: a parameter cannot have this name.
 fn is_top_field(name: &str) -> bool {
-    Scenario::<f64>::FIELDS.contains(&name)
+    Scenario::declared_fields().iter().any(|field| field.name == name)
 }
 
 /// A value that is set by name: the name of a parameter, or the dotted path of a field.

@@ -10,9 +10,6 @@ use super::wording;
 
 /// A type that is read from a node of a file's tree.
 pub(crate) trait FromNode: Sized {
-    /// Names of its fields; empty if it has none.
-    const FIELDS: &'static [&'static str] = &[];
-
     /// Reads the value of a node.
     fn read(node: &ScenarioNode) -> Result<Self, ReadFault>;
 
@@ -24,25 +21,20 @@ pub(crate) trait FromNode: Sized {
         None
     }
 
-    /// Its fields, or the fields of its kinds, by name.
-    fn fields_with_texts() -> &'static [FieldWithTexts] {
+    /// Returns the fields of the type, or the kinds of an enum that have fields.
+    fn declared_fields() -> &'static [DeclaredField] {
         &[]
     }
 
     /// Visits the texts in a node that name other entries or files.
     fn visit_texts(node: &mut ScenarioNode, visit: &mut TextVisitor<'_>) {
-        visit_fields(Self::fields_with_texts(), node, visit);
-    }
-
-    /// Returns the fields that are positions in the world; for an enum, those of a kind.
-    fn places(_kind: &str) -> &'static [(&'static str, PlaceKind)] {
-        &[]
+        visit_fields(Self::declared_fields(), node, visit);
     }
 
     /// Returns the kind of the text at a path; `None` if no such text is there.
     fn text_at(path: &[&str]) -> Option<TextKind> {
         let (first, rest) = path.split_first()?;
-        let field = Self::fields_with_texts().iter().find(|field| field.name == *first)?;
+        let field = Self::declared_fields().iter().find(|field| field.name == *first)?;
         (field.text_at)(rest)
     }
 }
@@ -50,16 +42,20 @@ pub(crate) trait FromNode: Sized {
 /// A visitor of texts.
 pub(crate) type TextVisitor<'a> = dyn FnMut(TextKind, &mut String) + 'a;
 
-/// A field of a type, and the texts in it.
-pub(crate) struct FieldWithTexts {
-    name: &'static str,
+/// A field in files, or a kind with its fields, and the functions of its type.
+pub(crate) struct DeclaredField {
+    pub(crate) name: &'static str,
+    /// Its kind of place in the world.
+    pub(crate) placed: Option<PlaceKind>,
+    /// Returns the fields of its type.
+    pub(crate) fields: fn() -> &'static [DeclaredField],
     visit_texts: fn(&mut ScenarioNode, &mut TextVisitor<'_>),
     text_at: fn(&[&str]) -> Option<TextKind>,
 }
 
-impl FieldWithTexts {
-    pub(crate) const fn of<T: FromNode>(name: &'static str) -> Self {
-        Self { name, visit_texts: T::visit_texts, text_at: T::text_at }
+impl DeclaredField {
+    pub(crate) const fn of<T: FromNode>(name: &'static str, placed: Option<PlaceKind>) -> Self {
+        Self { name, placed, fields: T::declared_fields, visit_texts: T::visit_texts, text_at: T::text_at }
     }
 }
 
@@ -163,9 +159,10 @@ pub(crate) fn fields(node: &ScenarioNode) -> Result<&IndexMap<String, Field>, Re
 }
 
 /// Returns the error for a field that its type does not have.
-pub(crate) fn unknown(name: &str, field: &Field, known: &[&str]) -> ReadFault {
+pub(crate) fn unknown(name: &str, field: &Field, declared: &[DeclaredField]) -> ReadFault {
     let written = field.written.as_deref().unwrap_or(name);
-    let allowed = wording::one_of_with_hint(known, written);
+    let known: Vec<&str> = declared.iter().map(|field| field.name).collect();
+    let allowed = wording::one_of_with_hint(&known, written);
     ReadFault::new(&field.name_place, wording::UNKNOWN_FIELD, allowed).within(written)
 }
 
@@ -205,7 +202,7 @@ pub(crate) fn kind<'a>(node: &'a ScenarioNode, kinds: &[&str]) -> Result<(&'a st
 }
 
 /// Visits the texts in the fields that are written.
-fn visit_fields(known: &[FieldWithTexts], node: &mut ScenarioNode, visit: &mut TextVisitor<'_>) {
+fn visit_fields(known: &[DeclaredField], node: &mut ScenarioNode, visit: &mut TextVisitor<'_>) {
     let Content::Fields(fields) = &mut node.content else { return };
     for field in known {
         if let Some(of) = fields.get_mut(field.name) {
@@ -336,8 +333,8 @@ impl<T: FromNode> FromNode for Box<T> {
     fn read(node: &ScenarioNode) -> Result<Self, ReadFault> {
         T::read(node).map(Self::new)
     }
-    fn places(kind: &str) -> &'static [(&'static str, PlaceKind)] {
-        T::places(kind)
+    fn declared_fields() -> &'static [DeclaredField] {
+        T::declared_fields()
     }
     fn allowed() -> String {
         T::allowed()

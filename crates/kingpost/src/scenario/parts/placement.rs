@@ -199,18 +199,21 @@ impl Standing<'_> {
     /// of a ship.
     fn in_the_world(&self, tree: &mut ScenarioNode, section: &str, name: &str, kind: &str) -> Result<bool, Fault> {
         let entry = format!("{section}.{name}.{kind}");
-        let places = match section {
-            "loops" => Loop::places(kind),
-            "forces" => Force::places(kind),
-            "drives" => Drive::places(kind),
-            _ => Sensor::places(kind),
+        let kinds = match section {
+            "loops" => Loop::declared_fields(),
+            "forces" => Force::declared_fields(),
+            "drives" => Drive::declared_fields(),
+            _ => Sensor::declared_fields(),
         };
-        let places = places.iter().map(|(field, place)| (format!("{entry}.{field}"), place));
-        let placed: Vec<(String, &PlaceKind)> = places.filter(|(field, _)| self.has(field)).collect();
+        let fields = kinds.iter().filter(|one| one.name == kind).flat_map(|one| (one.fields)());
+        let places = fields.filter_map(|field| Some((format!("{entry}.{}", field.name), field.placed?)));
+        let placed: Vec<(String, PlaceKind)> = places.filter(|(field, _)| self.has(field)).collect();
         for (field, place) in &placed {
             self.needs_the_world(&entry)?;
             match place {
-                PlaceKind::Point => drop(self.move_point(tree, field)),
+                PlaceKind::Point => {
+                    self.move_point(tree, field);
+                }
                 PlaceKind::Station => {
                     self.needs_to_be_level(&entry)?;
                     self.move_target(tree, field);

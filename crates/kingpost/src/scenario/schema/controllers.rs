@@ -3,7 +3,7 @@
 use kingpost_derive::fields;
 
 use crate::scenario::schema::{
-    DriveFunction, HeaveCompensation, InputShaper, PlatformCompensation, Policy, Selector, SetsInputs, StateFeedback,
+    DriveFunction, HeaveCompensation, InputShaper, PlatformCompensation, Policy, Selector, StateFeedback,
     ThreeAxisCompensation,
 };
 
