@@ -76,7 +76,7 @@ impl BuiltScenario {
     /// reason.
     ///
     /// # Errors
-    /// As [`wave_response`](Self::wave_response), and a column that does not exist.
+    /// The errors of [`wave_response`](Self::wave_response), and a column that does not exist.
     pub fn column_response(
         &self,
         simulation: &Simulation,
