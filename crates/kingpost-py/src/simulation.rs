@@ -182,15 +182,12 @@ impl Simulation {
         self.with(|held| matrix(py, held.inner.poses(), held.inner.model().bodies.len(), 7))
     }
 
-    /// Returns the events so far: time, element and text of each.
-    fn events(&self) -> PyResult<Vec<(f64, String, String)>> {
-        self.with(|held| {
-            let events = held.inner.events().iter();
-            Ok(events.map(|event| (event.time_s, event.element.clone(), event.what.to_string())).collect())
-        })
+    /// Returns the events so far as JSON: time, code, element and text of each.
+    fn events_json(&self) -> PyResult<String> {
+        self.with(|held| serde_json::to_string(held.inner.events()).map_err(errors::input))
     }
 
-    /// Returns the warnings of the rows so far as JSON: time, name and text of each.
+    /// Returns the warnings of the rows so far as JSON: time, code, name, numbers and text of each.
     fn warnings_json(&self) -> PyResult<String> {
         self.with(|held| serde_json::to_string(&held.inner.warnings()).map_err(errors::input))
     }

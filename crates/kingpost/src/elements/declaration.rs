@@ -225,10 +225,21 @@ pub enum VectorFrame {
 /// An event of an element: its indicator changes sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Event {
+    /// Code of the event, in words joined by `_`: the same for all elements of a kind.
+    pub code: &'static str,
     /// Description of the event, for the table of events.
     pub what: &'static str,
     /// Changes of sign that are the event.
     pub crossing: Crossing,
+}
+
+/// An entry of the table of events that an element causes when it sets inputs.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Occurrence {
+    /// Code of the event, in words joined by `_`.
+    pub code: &'static str,
+    /// Description of the event.
+    pub what: String,
 }
 
 /// Change of sign of an indicator that is an event.

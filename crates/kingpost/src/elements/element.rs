@@ -1,6 +1,6 @@
 //! The trait of all elements: parts that act on the model or read it.
 
-use super::{AnyWatcher, Context, Declaration, PresentSupport, RegularWaves, ShownWaves, Support};
+use super::{AnyWatcher, Context, Declaration, Occurrence, PresentSupport, RegularWaves, ShownWaves, Support};
 use crate::dynamics::{Clock, Kinematics, Loads, UnilateralConstraint};
 use crate::scalar::Scalar;
 use crate::world::World;
@@ -83,7 +83,7 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
         _read: &[S],
         _own: &mut ElementState<'_, S>,
         _inputs: &mut [S],
-    ) -> Result<Vec<String>, String> {
+    ) -> Result<Vec<Occurrence>, String> {
         Ok(Vec::new())
     }
 

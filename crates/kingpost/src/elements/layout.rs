@@ -1,6 +1,6 @@
 //! Layout of the declarations of all elements: offsets, names, columns.
 
-use super::{AnyElement, Crossing, Declaration, DrawnLine, ElementState, Input, Output, StateDeclaration};
+use super::{AnyElement, Crossing, Declaration, DrawnLine, ElementState, Event, Input, Output, StateDeclaration};
 use crate::scalar::Scalar;
 use core::ops::Range;
 use thiserror::Error;
@@ -33,6 +33,8 @@ pub struct Watched {
     pub element: usize,
     /// Index among its events.
     pub event: usize,
+    /// Code of the event.
+    pub code: &'static str,
     /// Description of the event.
     pub what: &'static str,
     /// Changes of sign that count.
@@ -170,8 +172,10 @@ impl Layout {
             layout.modes.extend(declared.modes.iter().map(full));
             layout.outputs.extend(declared.outputs.into_iter().map(|output| (element, output)));
             layout.lines.extend(declared.lines);
-            let watched =
-                |(event, of): (usize, &super::Event)| Watched { element, event, what: of.what, crossing: of.crossing };
+            let watched = |(event, of): (usize, &Event)| {
+                let Event { code, what, crossing } = *of;
+                Watched { element, event, code, what, crossing }
+            };
             layout.watched.extend(declared.events.iter().enumerate().map(watched));
             layout.prescribing.extend(declared.prescribes.then_some(element));
             layout.holding.extend(declared.holds.then_some(element));

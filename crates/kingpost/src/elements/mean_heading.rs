@@ -1,7 +1,7 @@
 //! Warns of a ship in waves whose mean heading changes from the initial one.
 
 use super::HOLD_IT;
-use super::watcher::{Extreme, Warning, Watcher, significant};
+use super::watcher::{Exceeded, Extreme, Warning, Watcher, significant};
 use core::f64::consts::{PI, TAU};
 
 /// Largest change of the mean heading from the start, degrees.
@@ -62,15 +62,15 @@ impl Watcher for MeanHeading {
 
     fn warnings(&self) -> Vec<Warning> {
         let Extreme { value, time_s } = self.turn_deg;
-        let warning = |beyond_s: f64| Warning {
-            time_s: beyond_s,
-            name: self.body.clone(),
-            text: format!(
+        let warning = |beyond_s: f64| {
+            let text = format!(
                 "its mean heading turned by {value:.2} deg until {} s, beyond {LARGEST_TURN_DEG} deg first at {} s: the loads \
                  of the waves were those at the heading of each time; to keep the heading, {HOLD_IT}",
                 significant(time_s, 6),
                 significant(beyond_s, 6)
-            ),
+            );
+            let numbers = Exceeded { value, bound: LARGEST_TURN_DEG, unit: "deg" };
+            Warning::exceeded("heading_turned", beyond_s, &self.body, numbers, text)
         };
         self.beyond_s.map(warning).into_iter().collect()
     }

@@ -63,7 +63,9 @@ pub use contact::Contact;
 pub use context::{Context, EvaluationMode};
 pub use coulomb_friction::CoulombFriction;
 pub use damped_against::DampedAgainst;
-pub use declaration::{Components, Crossing, Declaration, Event, Input, Output, StateDeclaration, VectorFrame, WRENCH};
+pub use declaration::{
+    Components, Crossing, Declaration, Event, Input, Occurrence, Output, StateDeclaration, VectorFrame, WRENCH,
+};
 pub use delay::Delay;
 pub use drawing::{DrawnLine, LineStyle};
 pub use drive_function::{CubicSpline, DriveFunction};
@@ -103,4 +105,4 @@ pub use tank_levels::{LevelEnd, TankLevels};
 pub use trailing_edge::TrailingEdge;
 pub use u_tank::UTank;
 pub use viscous_damping::ViscousDamping;
-pub use watcher::{AnyWatcher, Extreme, Warning, Watcher, significant};
+pub use watcher::{AnyWatcher, Exceeded, Extreme, Warning, Watcher, significant};

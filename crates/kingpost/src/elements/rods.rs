@@ -1,6 +1,6 @@
 //! Warns of massless rods that represent ropes and push, which a rope cannot do.
 
-use super::watcher::{Extreme, Warning, Watcher, significant};
+use super::watcher::{Exceeded, Extreme, Warning, Watcher, significant};
 use crate::model::Attachment;
 use crate::spatial::{Frame, Matrix3, Quaternion, Vector3};
 
@@ -31,7 +31,9 @@ impl Pull {
             significant(-value, 5),
             significant(time_s, 6)
         );
-        (value < -SMALLEST_PUSH * self.largest).then(|| Warning { time_s, name: name.to_owned(), text })
+        let numbers = Exceeded { value: -value, bound: 0.0, unit: "N" };
+        let pushes = value < -SMALLEST_PUSH * self.largest;
+        pushes.then(|| Warning::exceeded("rod_pushes", time_s, name, numbers, text))
     }
 }
 
@@ -77,16 +79,16 @@ impl Watcher for Pendant {
     }
 
     fn warnings(&self) -> Vec<Warning> {
-        let over = self.beyond_s.map(|time_s| Warning {
-            time_s,
-            name: self.joint.clone(),
-            text: format!(
+        let over = self.beyond_s.map(|time_s| {
+            let text = format!(
                 "{} swings to {:.1} deg from the hanging position, beyond {LARGEST_SWING_DEG} deg first at {} s: a rope would go \
                  slack; this rod does not",
                 self.body,
                 self.swing.value,
                 significant(time_s, 6)
-            ),
+            );
+            let numbers = Exceeded { value: self.swing.value, bound: LARGEST_SWING_DEG, unit: "deg" };
+            Warning::exceeded("large_swing", time_s, &self.joint, numbers, text)
         });
         let push = self.pull.warning(&self.joint, &format!("the pendant of {}", self.body));
         push.into_iter().chain(over).collect()

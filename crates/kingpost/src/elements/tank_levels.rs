@@ -1,6 +1,6 @@
 //! Warns of a tank whose liquid reaches the top, or falls to a level at which air enters.
 
-use crate::elements::watcher::{Extreme, Warning, Watcher, significant};
+use crate::elements::watcher::{Exceeded, Extreme, Warning, Watcher, significant};
 
 /// Watches the levels in a tank.
 #[derive(Clone, Debug)]
@@ -18,6 +18,8 @@ pub struct TankLevels {
 pub struct LevelEnd {
     /// The level there, m.
     pub level: f64,
+    /// Code of the warning.
+    pub code: &'static str,
     /// Beginning of the warning's text, before level and time.
     pub warning: &'static str,
 }
@@ -44,11 +46,13 @@ impl Watcher for TankLevels {
     }
 
     fn warnings(&self) -> Vec<Warning> {
-        let of = |(extreme, end): (Extreme, &LevelEnd)| {
-            let (level, time) = (significant(end.level, 4), significant(extreme.time_s, 6));
-            let text = format!("{}, {level} m, at {time} s", end.warning);
-            (extreme.value > 0.0).then(|| Warning { time_s: extreme.time_s, name: self.name.clone(), text })
+        let of = |beyond: Extreme, end: &LevelEnd, sign: f64| {
+            let Extreme { value, time_s } = beyond;
+            let text = || format!("{}, {} m, at {} s", end.warning, significant(end.level, 4), significant(time_s, 6));
+            let numbers = Exceeded { value: end.level + sign * value, bound: end.level, unit: "m" };
+            (value > 0.0).then(|| Warning::exceeded(end.code, time_s, &self.name, numbers, text()))
         };
-        [self.highest, self.lowest].into_iter().zip(&self.ends).filter_map(of).collect()
+        let [upper, lower] = &self.ends;
+        [of(self.highest, upper, 1.0), of(self.lowest, lower, -1.0)].into_iter().flatten().collect()
     }
 }

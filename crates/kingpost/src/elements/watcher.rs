@@ -9,10 +9,37 @@ use serde::Serialize;
 pub struct Warning {
     /// Time of the warning's cause, s.
     pub time_s: f64,
+    /// Cause of the warning, in words joined by `_`; all warnings with this cause have the same code.
+    pub code: &'static str,
     /// Name of the joint, closed loop, body or element that it concerns.
     pub name: String,
+    /// The value that exceeds its bound, in `unit`; absent if the warning has no number.
+    pub value: Option<f64>,
+    /// The bound of the value, in `unit`.
+    pub bound: Option<f64>,
+    /// Unit of `value` and `bound`.
+    pub unit: &'static str,
     /// The text of the warning.
     pub text: String,
+}
+
+/// A value and the bound that it exceeds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Exceeded {
+    /// The value.
+    pub value: f64,
+    /// Its bound.
+    pub bound: f64,
+    /// Unit of both.
+    pub unit: &'static str,
+}
+
+impl Warning {
+    /// Returns the warning of a value beyond its bound.
+    pub fn exceeded(code: &'static str, time_s: f64, name: &str, numbers: Exceeded, text: String) -> Self {
+        let Exceeded { value, bound, unit } = numbers;
+        Self { time_s, code, name: name.to_owned(), value: Some(value), bound: Some(bound), unit, text }
+    }
 }
 
 /// Sees every row of a run, and warns of a joint, a closed loop or an element.

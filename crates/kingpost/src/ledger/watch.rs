@@ -1,6 +1,6 @@
 //! Warning of a run whose energy does not balance.
 
-use crate::elements::{Extreme, Warning, Watcher, significant};
+use crate::elements::{Exceeded, Extreme, Warning, Watcher, significant};
 
 /// Largest allowed energy error, as a share of the energy in play: a larger error means that the steps were
 /// too long or the equations are wrong. In the gallery's runs it is at most 1e-5.
@@ -53,6 +53,7 @@ impl Watcher for EnergyBalance {
             significant(100.0 * error / scale, 3),
             significant(scale / 1e3, 3),
         );
-        vec![Warning { time_s: self.error.time_s, name: "energy".to_owned(), text }]
+        let numbers = Exceeded { value: self.error.value, bound: SHARE * scale, unit: "J" };
+        vec![Warning::exceeded("energy_off_balance", self.error.time_s, "energy", numbers, text)]
     }
 }

@@ -2,7 +2,7 @@
 
 use super::element_contexts::ElementContexts;
 use super::{Plant, Totals};
-use crate::elements::{AnyElement, Context, Element, ElementState, Steer, Watched};
+use crate::elements::{AnyElement, Context, Element, ElementState, Occurrence, Steer, Watched};
 use crate::integrate::{Interval, Stage};
 use crate::ledger;
 use crate::scalar::Scalar;
@@ -107,7 +107,7 @@ impl<S: Scalar> Plant<S> {
         values: &mut Vec<S>,
         time_s: f64,
         state: &mut State<S>,
-    ) -> Result<Vec<String>, String> {
+    ) -> Result<Vec<Occurrence>, String> {
         let Steer { element, inputs, .. } = &self.layout.steers[steer];
         let element = *element;
         values.clear();

@@ -16,6 +16,8 @@ pub struct EventRecord {
     pub time_s: f64,
     /// The element that declares the indicator.
     pub element: String,
+    /// Code of the event, in words joined by `_`.
+    pub code: &'static str,
     /// Description of the event.
     pub what: Cow<'static, str>,
 }
@@ -214,7 +216,7 @@ impl<S: Scalar> Simulation<S> {
             self.drift(present, time_s, delay - reached);
             (present, reached) = (after, delay);
             self.plant.handle_event(watched, time_s, &mut self.state);
-            let record = EventRecord { time_s, element, what: Cow::Borrowed(watched.what) };
+            let record = EventRecord { time_s, element, code: watched.code, what: Cow::Borrowed(watched.what) };
             self.watch.note(self.state.steps, record);
             self.note_brought_about(time_s, self.state.steps);
         }
@@ -227,7 +229,8 @@ impl<S: Scalar> Simulation<S> {
     pub(super) fn note_brought_about(&mut self, time_s: f64, of_step: u64) {
         for watched in self.plant.brought_about() {
             let element = self.plant.layout().names[watched.element].clone();
-            self.watch.note(of_step, EventRecord { time_s, element, what: Cow::Borrowed(watched.what) });
+            self.watch
+                .note(of_step, EventRecord { time_s, element, code: watched.code, what: Cow::Borrowed(watched.what) });
         }
     }
 }

@@ -53,7 +53,9 @@ impl Simulation {
         core::mem::swap(&mut next.limits, &mut self.limits);
         core::mem::swap(&mut next.steering, &mut self.steering);
         next.steering.parameter_set(next.state.steps, what);
-        next.watch.note(next.state.steps, EventRecord { time_s, element: what.to_owned(), what: "was set".into() });
+        let (element, code) = (what.to_owned(), "parameter_set");
+        let record = EventRecord { time_s, element, code, what: "was set".into() };
+        next.watch.note(next.state.steps, record);
         next.note_brought_about(time_s, next.state.steps);
         *self = next;
         Ok(())

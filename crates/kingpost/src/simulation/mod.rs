@@ -28,7 +28,7 @@ pub use setup::{SchemeName, Settings, Setup};
 pub use steering::{LeverMove, ParameterSet};
 
 use crate::elements::Layout;
-use crate::elements::ropes::PARTS_WORDS;
+use crate::elements::ropes::PARTING;
 use crate::integrate::{Interval, Scheme, Stage, System};
 use crate::model::Model;
 use crate::plant::{ObservedPart, Plant};
@@ -227,10 +227,14 @@ impl<S: Scalar> Simulation<S> {
     /// Returns the warnings in order of time: of parted ropes, and of the rows since the start of the run, or
     /// since its state was set from outside.
     pub fn warnings(&self) -> Vec<Warning> {
-        let parted = self.events().iter().filter(|record| record.what == PARTS_WORDS);
+        let parted = self.events().iter().filter(|record| record.code == PARTING);
         let parted = parted.map(|EventRecord { time_s, element, .. }| Warning {
             time_s: *time_s,
+            code: PARTING,
             name: element.clone(),
+            value: None,
+            bound: None,
+            unit: "N",
             text: "parts: its tension has reached its breaking load".to_owned(),
         });
         let mut warnings: Vec<Warning> = parted.chain(self.watching.warnings()).collect();

@@ -1,7 +1,7 @@
 //! Steering elements at the start of a step, and the user's changes of inputs.
 
 use super::{EventRecord, RunError, Simulation, stage};
-use crate::elements::Layout;
+use crate::elements::{Layout, Occurrence};
 use crate::integrate::Stage;
 use crate::plant::Plant;
 use crate::results::{Channels, Readings, Sample};
@@ -112,8 +112,8 @@ impl<S: Scalar> Simulation<S> {
             let steered = plant.update_controls(steer, read, inputs, time_s, state);
             let element = || plant.layout().names[plant.layout().steers[steer].element].clone();
             let steered = steered.map_err(|why| RunError::Steering { time_s, element: element(), why })?;
-            for what in steered {
-                watch.note(state.steps + 1, EventRecord { time_s, element: element(), what: what.into() });
+            for Occurrence { code, what } in steered {
+                watch.note(state.steps + 1, EventRecord { time_s, element: element(), code, what: what.into() });
             }
         }
         self.note_brought_about(time_s, self.state.steps + 1);

@@ -4,8 +4,8 @@ use kingpost::analysis::Linearizer;
 use kingpost::batch::{Batch, Built, run_built};
 use kingpost::dynamics::Loads;
 use kingpost::elements::{
-    AnyElement, AnyWatcher, Components, Context, Crossing, Declaration, Element, ElementState, Event, Extreme, Input,
-    Output, StateDeclaration, VectorFrame, Warning, Watcher,
+    AnyElement, AnyWatcher, Components, Context, Crossing, Declaration, Element, ElementState, Event, Exceeded,
+    Extreme, Input, Output, StateDeclaration, VectorFrame, Warning, Watcher,
 };
 use kingpost::integrate::Tolerances;
 use kingpost::plant::{Number, Plant};
@@ -53,7 +53,7 @@ impl<S: Scalar> Element<S> for Governor<S> {
                 signal: None,
             }],
             outputs: vec![output("governor_rate", "rate behind the lag of a governor", &["rad/s"]), wrench],
-            events: vec![Event { what: "latched", crossing: Crossing::Rising }],
+            events: vec![Event { code: "latched", what: "latched", crossing: Crossing::Rising }],
             period_s: Some(0.01),
             ..Declaration::default()
         }
@@ -116,9 +116,13 @@ impl Watcher for Haste {
 
     fn warnings(&self) -> Vec<Warning> {
         let Extreme { value, time_s } = self.largest;
-        let warning = Warning { time_s, name: "governor".to_owned(), text: format!("{value}") };
+        let warning = haste(time_s, value, self.limit);
         (value.abs() > self.limit).then_some(warning).into_iter().collect()
     }
+}
+
+fn haste(time_s: f64, value: f64, bound: f64) -> Warning {
+    Warning::exceeded("haste", time_s, "governor", Exceeded { value, bound, unit: "rad/s" }, format!("{value}"))
 }
 
 fn scenario() -> Scenario {
@@ -225,7 +229,7 @@ fn the_warnings_of_a_new_element_belong_to_the_run_and_restart_with_it() {
     let times_and_rates = run.rows.chunks(run.columns).map(|row| (row[0], row[channel.offset]));
     let (time_s, largest) = times_and_rates
         .fold((0.0, 0.0), |most: (f64, f64), next| if next.1.abs() > most.1.abs() { next } else { most });
-    let expected = Warning { time_s, name: "governor".to_owned(), text: format!("{largest}") };
+    let expected = haste(time_s, largest, LIMIT);
     assert_eq!(run.warnings, [expected]);
     assert_eq!(simulation.warnings(), run.warnings);
     simulation.reset();

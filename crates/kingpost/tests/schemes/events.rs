@@ -74,7 +74,7 @@ impl<S: Scalar> Element<S> for Floor<S> {
     }
 
     fn declare(&self) -> Declaration {
-        let events = vec![Event { what: "impact", crossing: Crossing::Falling }];
+        let events = vec![Event { code: "impact", what: "impact", crossing: Crossing::Falling }];
         Declaration { events, ..Declaration::default() }
     }
 
@@ -169,7 +169,7 @@ impl<S: Scalar> Element<S> for Catch {
     fn declare(&self) -> Declaration {
         Declaration {
             modes: vec!["set".to_owned()],
-            events: vec![Event { what: "caught", crossing: Crossing::Rising }],
+            events: vec![Event { code: "caught", what: "caught", crossing: Crossing::Rising }],
             ..Declaration::default()
         }
     }
@@ -336,7 +336,7 @@ fn an_element_that_responds_to_itself_without_end_stops_the_run() {
         }
 
         fn declare(&self) -> Declaration {
-            let events = vec![Event { what: "turn", crossing: Crossing::Falling }];
+            let events = vec![Event { code: "turn", what: "turn", crossing: Crossing::Falling }];
             Declaration { modes: vec!["turns".to_owned()], events, ..Declaration::default() }
         }
 

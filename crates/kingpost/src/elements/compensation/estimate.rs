@@ -2,7 +2,7 @@
 
 use super::measurement::{Measured, Measurement};
 use super::predictor::FilterBank;
-use crate::elements::ElementState;
+use crate::elements::{ElementState, Occurrence};
 use crate::scalar::Scalar;
 
 /// Estimates velocity and position of a point along axes of the world.
@@ -146,11 +146,12 @@ impl<S: Copy> Estimate<S> {
 }
 
 /// Returns the event text if the sensor drops out or returns. The mode `out` holds its last state.
-pub(super) fn sensor_changes<S>(delivers: bool, out: usize, own: &mut ElementState<'_, S>) -> Vec<String> {
+pub(super) fn sensor_changes<S>(delivers: bool, out: usize, own: &mut ElementState<'_, S>) -> Vec<Occurrence> {
     let was_out = core::mem::replace(&mut own.modes[out], i64::from(!delivers)) == 1;
+    let event = |code, what: &str| vec![Occurrence { code, what: what.to_owned() }];
     match (was_out, delivers) {
-        (false, false) => vec!["continues without its sensor, which has dropped out".to_owned()],
-        (true, true) => vec!["uses its sensor again".to_owned()],
+        (false, false) => event("sensor_lost", "continues without its sensor, which has dropped out"),
+        (true, true) => event("sensor_found", "uses its sensor again"),
         _ => Vec::new(),
     }
 }

@@ -6,7 +6,7 @@ use super::lever::{self, Lever, NEXT_TICK, SENSOR_OUT, reached, share};
 use super::measurement::Measured;
 use crate::elements::lines::place;
 use crate::elements::ticks::{Due, due};
-use crate::elements::{Context, Declaration, Element, ElementState, Output};
+use crate::elements::{Context, Declaration, Element, ElementState, Occurrence, Output};
 use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
@@ -125,7 +125,7 @@ impl<S: Scalar> Element<S> for HeaveCompensation<S> {
         read: &[S],
         own: &mut ElementState<'_, S>,
         inputs: &mut [S],
-    ) -> Result<Vec<String>, String> {
+    ) -> Result<Vec<Occurrence>, String> {
         let Some(input) = inputs.first_mut() else { return Ok(Vec::new()) };
         let due = due(at.clock.time_s, self.estimator.period_s, &mut own.modes[NEXT_TICK]);
         let Some(Due { is_first: begins, .. }) = due else { return Ok(Vec::new()) };

@@ -7,7 +7,9 @@ use super::lever::{self, Lever, NEXT_TICK, SENSOR_OUT, reached, share};
 use crate::elements::lines::place;
 use crate::elements::ropes::Drum;
 use crate::elements::ticks::{Due, due};
-use crate::elements::{Components, Context, Declaration, Element, ElementState, Input, Output, VectorFrame};
+use crate::elements::{
+    Components, Context, Declaration, Element, ElementState, Input, Occurrence, Output, VectorFrame,
+};
 use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::{Twist, Vector3};
@@ -102,7 +104,7 @@ impl<S: Scalar> Element<S> for ThreeAxisCompensation<S> {
         read: &[S],
         own: &mut ElementState<'_, S>,
         inputs: &mut [S],
-    ) -> Result<Vec<String>, String> {
+    ) -> Result<Vec<Occurrence>, String> {
         let due = due(at.clock.time_s, self.estimator.period_s, &mut own.modes[NEXT_TICK]);
         let Some(Due { is_first: begins, .. }) = due else { return Ok(Vec::new()) };
         let columns = self.chain.jacobian(at, &self.tip);

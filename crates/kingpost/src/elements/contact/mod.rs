@@ -78,10 +78,10 @@ const OPEN: i64 = 3;
 
 /// Events of one spot, in the order of [`Contact::declare`]; the last two with friction.
 const EVENTS: [Event; 4] = [
-    Event { what: "touches", crossing: Crossing::Rising },
-    Event { what: "leaves", crossing: Crossing::Falling },
-    Event { what: "slides", crossing: Crossing::Rising },
-    Event { what: "holds", crossing: Crossing::Falling },
+    Event { code: "touches", what: "touches", crossing: Crossing::Rising },
+    Event { code: "leaves", what: "leaves", crossing: Crossing::Falling },
+    Event { code: "slides", what: "slides", crossing: Crossing::Rising },
+    Event { code: "holds", what: "holds", crossing: Crossing::Falling },
 ];
 const TOUCHES: usize = 0;
 const LEAVES: usize = 1;

@@ -1,6 +1,6 @@
 //! Warns of a contact whose penetration is too deep.
 
-use crate::elements::{Extreme, Warning, Watcher, significant};
+use crate::elements::{Exceeded, Extreme, Warning, Watcher, significant};
 
 /// The largest penetration of a run.
 #[derive(Clone, Debug)]
@@ -35,6 +35,7 @@ impl Watcher for Depth {
             significant(value, 3),
             significant(self.tolerance_m, 3)
         );
-        vec![Warning { time_s, name: self.name.clone(), text }]
+        let numbers = Exceeded { value, bound: self.tolerance_m, unit: "m" };
+        vec![Warning::exceeded("deep_penetration", time_s, &self.name, numbers, text)]
     }
 }

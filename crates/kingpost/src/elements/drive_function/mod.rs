@@ -7,7 +7,7 @@ pub(crate) mod fields;
 pub use cubic_spline::CubicSpline;
 
 use super::commanded::one_command;
-use super::{Context, Declaration, Element, ElementState, Input};
+use super::{Context, Declaration, Element, ElementState, Input, Occurrence};
 use crate::scalar::Scalar;
 use crate::sea::waves::ramp;
 
@@ -53,7 +53,7 @@ impl<S: Scalar> Element<S> for DriveFunction<S> {
         _read: &[S],
         _own: &mut ElementState<'_, S>,
         inputs: &mut [S],
-    ) -> Result<Vec<String>, String> {
+    ) -> Result<Vec<Occurrence>, String> {
         inputs.fill(self.action(at.inputs[0], at.clock.time_s + 0.5 * self.step_s));
         Ok(Vec::new())
     }

@@ -155,8 +155,12 @@ impl<S: Scalar> Element<S> for FreeFloodingTank<S> {
 
     fn watchers(&self) -> Vec<AnyWatcher> {
         let ends = [
-            LevelEnd { level: self.column.edges[2].value(), warning: "its water reached its top" },
-            LevelEnd { level: 0.0, warning: "air reached its opening" },
+            LevelEnd {
+                level: self.column.edges[2].value(),
+                code: "water_at_top",
+                warning: "its water reached its top",
+            },
+            LevelEnd { level: 0.0, code: "air_at_opening", warning: "air reached its opening" },
         ];
         vec![Box::new(TankLevels::new(&self.name, &["water_level"], ends))]
     }

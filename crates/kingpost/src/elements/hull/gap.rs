@@ -1,6 +1,6 @@
 //! The distance between two hulls without modelled hydrodynamic interaction.
 
-use crate::elements::watcher::{Warning, Watcher, significant};
+use crate::elements::watcher::{Exceeded, Warning, Watcher, significant};
 use crate::sea::database::HullAtRest;
 
 /// The rectangle around a hull's waterline, body axes from the centre of mass, m.
@@ -77,7 +77,8 @@ impl Watcher for HullGap {
     /// interact.
     fn warnings(&self) -> Vec<Warning> {
         let [(body, own), (other, of_other)] = &self.hulls;
-        let near = |[gap, _]: &[f64; 2]| *gap < own.length().max(of_other.length());
+        let bound = own.length().max(of_other.length());
+        let near = |[gap, _]: &[f64; 2]| *gap < bound;
         let Some([gap, time_s]) = self.least.filter(near) else { return Vec::new() };
         let how = if gap > 0.0 {
             format!("comes as near as {} m to {other}", significant(gap, 3))
@@ -89,7 +90,8 @@ impl Watcher for HullGap {
         let text = format!(
             "{how}; each hull has the hydrodynamics of a single hull: sheltering from waves and resonance of the water in the gap are not modelled"
         );
-        vec![Warning { time_s, name: body.clone(), text }]
+        let numbers = Exceeded { value: gap, bound, unit: "m" };
+        vec![Warning::exceeded("hulls_without_interaction", time_s, body, numbers, text)]
     }
 }
 

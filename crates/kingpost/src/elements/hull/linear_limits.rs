@@ -1,6 +1,6 @@
 //! Warns of a hull outside the range of linear hydrodynamics: small angles, small heave, a dry deck.
 
-use crate::elements::watcher::{Extreme, Warning, Watcher, significant};
+use crate::elements::watcher::{Exceeded, Extreme, Warning, Watcher, significant};
 
 /// Heel or trim beyond which a run warns, degrees.
 const LARGEST_ANGLE_DEG: f64 = 20.0;
@@ -45,11 +45,7 @@ impl LinearLimits {
         }
     }
 
-    fn warning(&self, time_s: f64, text: String) -> Warning {
-        Warning { time_s, name: self.body.clone(), text }
-    }
-
-    fn of_angle(&self, verb: &str, angle: Extreme) -> Option<Warning> {
+    fn of_angle(&self, code: &'static str, verb: &str, angle: Extreme) -> Option<Warning> {
         let Extreme { value, time_s } = angle;
         let text = || {
             format!(
@@ -58,7 +54,8 @@ impl LinearLimits {
                 significant(time_s, 6)
             )
         };
-        (value.abs() > LARGEST_ANGLE_DEG).then(|| self.warning(time_s, text()))
+        let numbers = Exceeded { value, bound: LARGEST_ANGLE_DEG, unit: "deg" };
+        (value.abs() > LARGEST_ANGLE_DEG).then(|| Warning::exceeded(code, time_s, &self.body, numbers, text()))
     }
 
     fn of_heave(&self) -> Option<Warning> {
@@ -72,7 +69,9 @@ impl LinearLimits {
                 significant(self.draught_m, 6)
             )
         };
-        (value.abs() > LARGEST_HEAVE * self.draught_m).then(|| self.warning(time_s, text()))
+        let numbers = Exceeded { value, bound: LARGEST_HEAVE * self.draught_m, unit: "m" };
+        let beyond = value.abs() > numbers.bound;
+        beyond.then(|| Warning::exceeded("large_heave", time_s, &self.body, numbers, text()))
     }
 
     fn of_deck(&self) -> Option<Warning> {
@@ -82,7 +81,8 @@ impl LinearLimits {
                 self.under_m,
                 significant(time_s, 6)
             );
-            self.warning(time_s, text)
+            let numbers = Exceeded { value: self.under_m, bound: 0.0, unit: "m" };
+            Warning::exceeded("deck_edge_under_water", time_s, &self.body, numbers, text)
         })
     }
 }
@@ -108,7 +108,10 @@ impl Watcher for LinearLimits {
     }
 
     fn warnings(&self) -> Vec<Warning> {
-        let angles = [self.of_angle("heeled", self.heel_deg), self.of_angle("trimmed", self.trim_deg)];
+        let angles = [
+            self.of_angle("large_heel", "heeled", self.heel_deg),
+            self.of_angle("large_trim", "trimmed", self.trim_deg),
+        ];
         angles.into_iter().chain([self.of_heave(), self.of_deck()]).flatten().collect()
     }
 }

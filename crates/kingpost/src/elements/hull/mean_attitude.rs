@@ -1,6 +1,6 @@
 //! Warns of a hull whose mean attitude differs from the attitude of its coefficients.
 
-use crate::elements::watcher::{Warning, Watcher};
+use crate::elements::watcher::{Exceeded, Warning, Watcher};
 use crate::sea::database::Attitude;
 
 /// Difference in heel or trim from the coefficients' attitude beyond which a run warns, degrees.
@@ -45,7 +45,7 @@ impl Watcher for MeanAttitude {
     }
 
     fn warnings(&self) -> Vec<Warning> {
-        let of = |(k, what): (usize, &str)| {
+        let of = |(k, what, code): (usize, &str, &'static str)| {
             let [mean, data] = [self.sums_rad[k] / self.rows as f64, self.attitude_rad[k]].map(f64::to_degrees);
             let text = || {
                 format!(
@@ -54,8 +54,9 @@ impl Watcher for MeanAttitude {
                 )
             };
             let beyond = self.rows > 0 && (mean - data).abs() > LARGEST_LIST_DEG;
-            beyond.then(|| Warning { time_s: self.last_s, name: self.body.clone(), text: text() })
+            let numbers = Exceeded { value: mean - data, bound: LARGEST_LIST_DEG, unit: "deg" };
+            beyond.then(|| Warning::exceeded(code, self.last_s, &self.body, numbers, text()))
         };
-        [(0, "heel"), (1, "trim")].into_iter().filter_map(of).collect()
+        [(0, "heel", "mean_heel_off_data"), (1, "trim", "mean_trim_off_data")].into_iter().filter_map(of).collect()
     }
 }

@@ -11,7 +11,7 @@ pub use navigation::{Increments, Moving, Navigation};
 use super::hull::{HullFrame, HullMotion};
 use super::motion_reference_unit::{KEPT, motion};
 use super::sensing::{PositionAid, ReceiverSample, Sampler, SensorNoise, SignalErrors, with_errors};
-use super::{Components, Context, Declaration, Element, ElementState, Output, VectorFrame};
+use super::{Components, Context, Declaration, Element, ElementState, Occurrence, Output, VectorFrame};
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, exp, roll_pitch_yaw};
 
@@ -119,7 +119,7 @@ impl<S: Scalar> Element<S> for InertialUnit<S> {
         read: &[S],
         own: &mut ElementState<'_, S>,
         _inputs: &mut [S],
-    ) -> Result<Vec<String>, String> {
+    ) -> Result<Vec<Occurrence>, String> {
         let Some(receiver) = &self.receiver else { return Ok(Vec::new()) };
         let modes = &mut own.modes[self.sampler.modes()..];
         let sample = receiver.sample(at.clock.time_s, read, &mut modes[NEXT_FIX]);

@@ -4,7 +4,7 @@ pub(crate) mod assembly;
 pub(crate) mod fields;
 
 use crate::elements::commanded::one_command;
-use crate::elements::{Context, Declaration, Element, ElementState, Input};
+use crate::elements::{Context, Declaration, Element, ElementState, Input, Occurrence};
 use crate::scalar::Scalar;
 use core::f64::consts::{PI, TAU};
 
@@ -95,7 +95,7 @@ impl<S: Scalar> Element<S> for InputShaper<S> {
         _read: &[S],
         own: &mut ElementState<'_, S>,
         inputs: &mut [S],
-    ) -> Result<Vec<String>, String> {
+    ) -> Result<Vec<Occurrence>, String> {
         let kept = self.steps_kept();
         let head = if kept == 0 { 0 } else { own.modes[HEAD].rem_euclid(kept as i64) as usize };
         let [shaped, at_end] = [(at.inputs[0], RING), (at.inputs_at_end[0], RING + kept)].map(|(command, ring)| {

@@ -5,7 +5,9 @@ pub mod fields;
 
 use super::hull::HullFrame;
 use super::sensing::{PositionAid, ReceiverSample, Sampler};
-use super::{Components, Context, Declaration, Element, ElementState, Output, StateDeclaration, VectorFrame};
+use super::{
+    Components, Context, Declaration, Element, ElementState, Occurrence, Output, StateDeclaration, VectorFrame,
+};
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, roll_pitch_yaw, rotation_from_roll_pitch_yaw};
 
@@ -134,7 +136,7 @@ impl<S: Scalar> Element<S> for MotionReferenceUnit<S> {
         read: &[S],
         own: &mut ElementState<'_, S>,
         _inputs: &mut [S],
-    ) -> Result<Vec<String>, String> {
+    ) -> Result<Vec<Occurrence>, String> {
         let Some(receiver) = &self.receiver else { return Ok(Vec::new()) };
         let (next, count, kept) = (own.modes.len() - 1, self.filtered(), self.sampler.numbers());
         let sample = receiver.sample(at.clock.time_s, read, &mut own.modes[next]);

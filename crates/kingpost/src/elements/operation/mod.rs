@@ -6,7 +6,7 @@ pub(crate) mod fields;
 
 pub use condition::{ColumnRange, Condition};
 
-use crate::elements::{Context, Declaration, Element, ElementState, Output};
+use crate::elements::{Context, Declaration, Element, ElementState, Occurrence, Output};
 use crate::scalar::Scalar;
 
 /// A timeline. The condition of its current step is checked at the start of each integrator step, so a step of the
@@ -94,7 +94,7 @@ impl<S: Scalar> Element<S> for Operation<S> {
         read: &[S],
         own: &mut ElementState<'_, S>,
         inputs: &mut [S],
-    ) -> Result<Vec<String>, String> {
+    ) -> Result<Vec<Occurrence>, String> {
         let (time_s, columns) = (at.clock.time_s, read.iter().map(|value| value.value()).collect::<Vec<_>>());
         let mut happened = Vec::new();
         if own.modes[STEP] == 0 {
@@ -141,12 +141,15 @@ impl<S: Scalar> Operation<S> {
         self.steps.get(usize::try_from(number - 1).ok()?)
     }
 
-    /// Begins the next step, or ends after the last; returns the text of the event.
-    fn go_on(&self, time_s: f64, own: &mut ElementState<'_, S>, inputs: &[S]) -> String {
+    /// Begins the next step, or ends after the last; returns the event.
+    fn go_on(&self, time_s: f64, own: &mut ElementState<'_, S>, inputs: &[S]) -> Occurrence {
         own.modes[STEP] += 1;
         own.numbers[BEGAN] = S::constant(time_s);
         own.numbers[FROM..].copy_from_slice(inputs);
-        self.step(own.modes[STEP]).map_or_else(|| "ends".to_owned(), |step| format!("begins {:?}", step.name))
+        match self.step(own.modes[STEP]) {
+            Some(step) => Occurrence { code: "step_begins", what: format!("begins {:?}", step.name) },
+            None => Occurrence { code: "operation_ends", what: "ends".to_owned() },
+        }
     }
 
     /// Returns the last move that has begun at this time after the start of the step, and the value from which it

@@ -5,7 +5,7 @@ pub(crate) mod fields;
 
 use crate::elements::commanded::changed_commands;
 use crate::elements::ticks::is_tick;
-use crate::elements::{Context, Declaration, Element, ElementState, Input, LinearLaw};
+use crate::elements::{Context, Declaration, Element, ElementState, Input, LinearLaw, Occurrence};
 use crate::scalar::Scalar;
 
 /// Sets inputs by a multilayer perceptron, at multiples of its period:
@@ -85,7 +85,7 @@ impl<S: Scalar> Element<S> for Policy<S> {
         read: &[S],
         own: &mut ElementState<'_, S>,
         inputs: &mut [S],
-    ) -> Result<Vec<String>, String> {
+    ) -> Result<Vec<Occurrence>, String> {
         if self.acts && is_tick(at.clock.time_s, self.period_s) {
             let acted = self.acted(self.seen(read));
             for ((steer, acted), addition) in self.steers.iter().zip(acted).zip(&mut *own.numbers) {

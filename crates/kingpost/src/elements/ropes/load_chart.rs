@@ -3,7 +3,7 @@
 use super::stretch::Stretched;
 use super::{Rope, RopePath};
 use crate::elements::lines::place;
-use crate::elements::watcher::{Extreme, Warning, Watcher, significant};
+use crate::elements::watcher::{Exceeded, Extreme, Warning, Watcher, significant};
 use crate::elements::{AnyWatcher, Context, Output};
 use crate::model::Attachment;
 use crate::scalar::Scalar;
@@ -150,7 +150,7 @@ impl Watcher for ChartWatcher {
     }
 
     fn warnings(&self) -> Vec<Warning> {
-        let warning = |time_s: f64, text: String| Warning { time_s, name: self.rope.clone(), text };
+        let warning = |code, time_s, numbers, text| Warning::exceeded(code, time_s, &self.rope, numbers, text);
         let load = self.load_since_s.map(|since_s| {
             let text = format!(
                 "its hook load was {} % of the rated load at {} s, beyond the load chart first at {} s",
@@ -158,7 +158,8 @@ impl Watcher for ChartWatcher {
                 significant(self.load.time_s, 6),
                 significant(since_s, 6)
             );
-            warning(since_s, text)
+            let numbers = Exceeded { value: self.load.value, bound: 1.0, unit: "1" };
+            warning("load_beyond_chart", since_s, numbers, text)
         });
         let outside = (self.outside_m.value > 0.0).then(|| {
             let text = format!(
@@ -168,7 +169,9 @@ impl Watcher for ChartWatcher {
                 significant(self.ends_m[0], 6),
                 significant(self.ends_m[1], 6)
             );
-            warning(self.outside_m.time_s, text)
+            let bound = self.radius_m.clamp(self.ends_m[0], self.ends_m[1]);
+            let numbers = Exceeded { value: self.radius_m, bound, unit: "m" };
+            warning("radius_outside_chart", self.outside_m.time_s, numbers, text)
         });
         load.into_iter().chain(outside).collect()
     }

@@ -92,17 +92,22 @@ const RELEASED: i64 = 4;
 const ROUNDING_M: f64 = 1e-10;
 /// Events, in the order of [`Rope::declare`].
 const EVENTS: [Event; 8] = [
-    Event { what: "goes slack", crossing: Crossing::Falling },
-    Event { what: "comes taut", crossing: Crossing::Rising },
-    Event { what: "is hauled in to its end", crossing: Crossing::Falling },
+    Event { code: "goes_slack", what: "goes slack", crossing: Crossing::Falling },
+    Event { code: "comes_taut", what: "comes taut", crossing: Crossing::Rising },
+    Event { code: "hauled_in_to_end", what: "is hauled in to its end", crossing: Crossing::Falling },
     Event {
+        code: "leaves_valid_path",
         what: "wraps a sheave or drum beyond the valid angle, or two neighbouring places of its path overlap",
         crossing: Crossing::Falling,
     },
-    Event { what: "is paid out to the innermost layer of its drum", crossing: Crossing::Falling },
-    Event { what: "is released", crossing: Crossing::Rising },
-    Event { what: "is hooked on", crossing: Crossing::Falling },
-    Event { what: PARTS_WORDS, crossing: Crossing::Rising },
+    Event {
+        code: "paid_out_to_innermost_layer",
+        what: "is paid out to the innermost layer of its drum",
+        crossing: Crossing::Falling,
+    },
+    Event { code: "released", what: "is released", crossing: Crossing::Rising },
+    Event { code: "hooked_on", what: "is hooked on", crossing: Crossing::Falling },
+    Event { code: PARTING, what: "parts", crossing: Crossing::Rising },
 ];
 const GOES_SLACK: usize = 0;
 const COMES_TAUT: usize = 1;
@@ -112,8 +117,8 @@ const INNERMOST_LAYER: usize = 4;
 const IS_RELEASED: usize = 5;
 const IS_HOOKED_ON: usize = 6;
 const PARTS: usize = 7;
-/// Text in the table of events for a rope that reaches its breaking load.
-pub const PARTS_WORDS: &str = "parts";
+/// Code of the event and of the warning of a rope that reaches its breaking load.
+pub const PARTING: &str = "parts";
 /// Share of L at the start below which a rope counts as hauled in to its end. Below this length its stiffness stays
 /// constant.
 const SHORTEST: f64 = 1e-3;

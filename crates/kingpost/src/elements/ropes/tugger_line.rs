@@ -30,6 +30,7 @@ pub struct TuggerLine<S = f64> {
 }
 
 const LEAVES_RANGE: Event = Event {
+    code: "leaves_valid_path",
     what: "wraps a sheave beyond the valid angle, or two neighbouring places of its path overlap",
     crossing: Crossing::Falling,
 };

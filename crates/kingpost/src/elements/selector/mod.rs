@@ -3,7 +3,7 @@
 pub mod assembly;
 pub mod fields;
 
-use super::{Context, Declaration, Element, ElementState, Input};
+use super::{Context, Declaration, Element, ElementState, Input, Occurrence};
 use crate::scalar::Scalar;
 
 /// Passes the commands of one of its branches to the inputs that it sets; the commands of the other branches have no
@@ -44,7 +44,7 @@ impl<S: Scalar> Element<S> for Selector {
         _read: &[S],
         _own: &mut ElementState<'_, S>,
         inputs: &mut [S],
-    ) -> Result<Vec<String>, String> {
+    ) -> Result<Vec<Occurrence>, String> {
         inputs.copy_from_slice(self.chosen(at.inputs));
         Ok(Vec::new())
     }

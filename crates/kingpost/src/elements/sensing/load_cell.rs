@@ -2,7 +2,7 @@
 
 use super::Sampler;
 use crate::elements::ticks::{Due, due};
-use crate::elements::{Context, Declaration, Element, ElementState, Output};
+use crate::elements::{Context, Declaration, Element, ElementState, Occurrence, Output};
 use crate::scalar::Scalar;
 
 /// Measures a rope's tension, N. A tension depends on the forces of all elements, so it is read as a column at the
@@ -38,7 +38,7 @@ impl<S: Scalar> Element<S> for LoadCell<S> {
         read: &[S],
         own: &mut ElementState<'_, S>,
         _inputs: &mut [S],
-    ) -> Result<Vec<String>, String> {
+    ) -> Result<Vec<Occurrence>, String> {
         let Some(&tension) = read.first() else { return Ok(Vec::new()) };
         let next = own.modes.len() - 1;
         let period_s = self.sampler.period_s;

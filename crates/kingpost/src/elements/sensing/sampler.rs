@@ -77,8 +77,9 @@ impl<S: Scalar> Sampler<S> {
 
     /// Returns its events, if it can drop out: samples cause them, not indicators.
     fn events(&self) -> Vec<Event> {
-        let of = |what| Event { what, crossing: Crossing::Rising };
-        self.drop_outs.map_or_else(Vec::new, |_| vec![of("drops out"), of("delivers again")])
+        let of = |code, what| Event { code, what, crossing: Crossing::Rising };
+        self.drop_outs
+            .map_or_else(Vec::new, |_| vec![of("drops_out", "drops out"), of("delivers_again", "delivers again")])
     }
 
     /// Fills the outputs and the buffers at the start with the first values, with bias and noise.

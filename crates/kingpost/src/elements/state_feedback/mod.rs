@@ -5,7 +5,7 @@ pub(crate) mod fields;
 
 use crate::elements::commanded::changed_commands;
 use crate::elements::ticks::is_tick;
-use crate::elements::{Context, Declaration, Element, ElementState, Input, LinearLaw};
+use crate::elements::{Context, Declaration, Element, ElementState, Input, LinearLaw, Occurrence};
 use crate::scalar::Scalar;
 
 /// Sets inputs from the columns x that it reads and its commands c, at multiples of its period:
@@ -79,7 +79,7 @@ impl<S: Scalar> Element<S> for StateFeedback<S> {
         read: &[S],
         own: &mut ElementState<'_, S>,
         inputs: &mut [S],
-    ) -> Result<Vec<String>, String> {
+    ) -> Result<Vec<Occurrence>, String> {
         let (corrections, integrals) = own.numbers.split_at_mut(self.steers.len());
         if self.acts && is_tick(at.clock.time_s, self.period_s) {
             for (k, steer) in self.steers.iter().enumerate() {

@@ -69,10 +69,10 @@ pub struct Submerged<S = f64> {
 
 /// Events, in the order of [`Submerged::declare`].
 const EVENTS: [Event; 4] = [
-    Event { what: "meets the water", crossing: Crossing::Rising },
-    Event { what: "is under water", crossing: Crossing::Rising },
-    Event { what: "comes to the surface", crossing: Crossing::Falling },
-    Event { what: "leaves the water", crossing: Crossing::Falling },
+    Event { code: "meets_water", what: "meets the water", crossing: Crossing::Rising },
+    Event { code: "goes_under", what: "is under water", crossing: Crossing::Rising },
+    Event { code: "comes_to_surface", what: "comes to the surface", crossing: Crossing::Falling },
+    Event { code: "leaves_water", what: "leaves the water", crossing: Crossing::Falling },
 ];
 const MEETS: usize = 0;
 const IS_UNDER: usize = 1;

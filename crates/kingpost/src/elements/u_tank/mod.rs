@@ -100,8 +100,8 @@ impl<S: Scalar> Element<S> for UTank<S> {
     fn watchers(&self) -> Vec<AnyWatcher> {
         let [top, duct] = self.ends.map(S::value);
         let ends = [
-            LevelEnd { level: top, warning: "its liquid reached the top of a column" },
-            LevelEnd { level: duct, warning: "air reached the top of its duct" },
+            LevelEnd { level: top, code: "liquid_at_top", warning: "its liquid reached the top of a column" },
+            LevelEnd { level: duct, code: "air_in_duct", warning: "air reached the top of its duct" },
         ];
         vec![Box::new(TankLevels::new(&self.name, &["level_port", "level_starboard"], ends))]
     }
