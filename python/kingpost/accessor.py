@@ -152,8 +152,8 @@ class Accessor:
     def limits(self) -> list[LimitEntry] | list[list[LimitEntry]]:
         """Evaluation of the scenario's limits: ``name``, ``column``, ``unit``, ``held``, ``worst`` and the
         time of the worst value; for a `Batch`, a list for each run."""
-        attributes = self._results.attrs
-        return limits_of_runs(attributes) if "run" in self._results.sizes else limits_of(attributes)
+        several = "run" in self._results.sizes
+        return limits_of_runs(self._results) if several else limits_of(self._results)
 
     def _repr_html_(self) -> str:
         about = self._results.attrs
@@ -161,7 +161,7 @@ class Accessor:
         rows = [("status", about.get("status", "")), ("seed", about.get("seed", "")),
                 ("recorded", f"{time[0]:g} to {time[-1]:g} s, {len(time)} rows")]  # fmt: skip
         parts = [markup.table(str(about.get("title", "")), rows)]
-        limits = [] if "run" in self._results.sizes else limits_of(about)
+        limits = [] if "run" in self._results.sizes else limits_of(self._results)
         if limits:
             held = {True: "yes", False: "NO", None: "no row"}
             cells = [

@@ -60,9 +60,9 @@ def file_of(run: xarray.Dataset) -> str:
 def _settings(run: xarray.Dataset) -> dict[str, Any]:
     """The resolved scenario by dotted paths, without the seed and descriptive texts, with the digests of its
     files: two databases can have the same name."""
-    found = _flat(scenario_of(run.attrs))
+    found = _flat(scenario_of(run))
     kept = {name: value for name, value in found if name != SEED and name.partition(".")[0] not in WORDS}
-    digests = digests_of(run.attrs)
+    digests = digests_of(run)
     return kept | {f"the file {name} with SHA-256": digest[:12] for name, digest in digests.items()}
 
 
@@ -89,7 +89,7 @@ def seeds(run: xarray.Dataset) -> list[Any]:
     KingpostError
         If the runs of a `Batch` differ in something other than their seeds.
     """
-    described = scenario_of(run.attrs)
+    described = scenario_of(run)
     seed = described.get("simulation", {}).get("seed", 0)
     if "run" not in run.dims:
         return [seed]

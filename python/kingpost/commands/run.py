@@ -153,8 +153,8 @@ def _run_seeds(scenario: Scenario, options: argparse.Namespace) -> int:
         found = seeds.run(scenario, paths, update, options.record, options.units, options.anew)
         runs = list(found)
     kept = sum(one.was_there for one in runs)
-    failed = [one for one in runs if one.attributes["status"] != FINISHED]
-    came_of = [outcomes.of_run(one.attributes, one.attributes["seed"]) for one in runs]
+    failed = [one for one in runs if one.status != FINISHED]
+    came_of = [outcomes.of_run(one.entries, one.seed) for one in runs]
     show(options, lambda: _of_seeds(scenario, runs), lambda: [_numbers_of(one) for one in runs])
     warn(line for lines in outcomes.warnings(came_of) for line in lines)
     over = f", {older - kept} replace an older file" if older > kept else ""
@@ -163,7 +163,7 @@ def _run_seeds(scenario: Scenario, options: argparse.Namespace) -> int:
         note(options, f"kept            {kept} existing files of the same runs (--anew repeats them)")
     note(options, f"to go on        kingpost statistics {options.output}")
     for one in failed:
-        fail(f"{one.path}: {one.attributes['status']}", FAILED)
+        fail(f"{one.path}: {one.status}", FAILED)
     return FAILED if failed else DONE
 
 
@@ -172,20 +172,20 @@ def _of_seeds(scenario: Scenario, runs: Sequence[OfSeed]) -> str:
     from ..simulation.batch import FINISHED
 
     lines = [scenario.title, f"{len(runs)} runs, seeds 1 to {len(runs)}"]
-    failed = [str(one.attributes["seed"]) for one in runs if one.attributes["status"] != FINISHED]
+    failed = [str(one.seed) for one in runs if one.status != FINISHED]
     if failed:
         of = ", ".join(failed)
         lines.append(f"{len(failed)} of {len(runs)} runs failed, of the seeds {of}: they count until then")
-    limits = outcomes.limits([outcomes.of_run(one.attributes, one.attributes["seed"]) for one in runs])
+    limits = outcomes.limits([outcomes.of_run(one.entries, one.seed) for one in runs])
     return "\n".join([*lines, *(["", *limits] if limits else [])])
 
 
 def _numbers_of(one: OfSeed) -> dict[str, Any]:
     return {
         "file": str(one.path),
-        "seed": one.attributes["seed"],
-        "status": one.attributes["status"],
+        "seed": one.seed,
+        "status": one.status,
         "was_there": one.was_there,
-        "limits": limits_of(one.attributes),
-        "warnings": warnings_of(one.attributes),
+        "limits": limits_of(one.entries),
+        "warnings": warnings_of(one.entries),
     }

@@ -20,16 +20,20 @@ MOST_OF_ONE = 4
 def events(results: xarray.Dataset) -> list[str]:
     """Events of a run: a row for each important event, in order of time, then a row for each element with
     repeating events."""
-    found = events_of(results.attrs)
-    often = Counter((event["element"], event["what"]) for event in found)
+    found = events_of(results)
+    often = Counter(map(_kind, found))
     repeats = {kind for kind, count in often.items() if kind[1] in REPEATING or count > MOST_OF_ONE}
-    single = [event for event in found if (event["element"], event["what"]) not in repeats]
-    repeated = [event for event in found if (event["element"], event["what"]) in repeats]
+    single = [event for event in found if _kind(event) not in repeats]
+    repeated = [event for event in found if _kind(event) in repeats]
     if results.attrs.get("status", FINISHED) != FINISHED:
         end_s = float(results["time"].values[-1])
-        single.append({"time_s": end_s, "element": "", "what": "the run ends early"})
+        single.append({"time_s": end_s, "element": "", "code": "", "what": "the run ends early"})
     tables = [lines for lines in (_in_order(single), _counted(repeated)) if lines]
     return [line for lines in tables for line in ("", *lines)][1:]
+
+
+def _kind(event: EventEntry) -> tuple[str, str, str]:
+    return event["element"], event["code"], event["what"]
 
 
 def _in_order(events: list[EventEntry]) -> list[str]:

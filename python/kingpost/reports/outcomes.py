@@ -7,43 +7,41 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any
 
 from ..analysis import pooling
-from ..errors import KingpostError, shortened
+from ..errors import KingpostError
 from ..results.entries import limits_of_runs, warnings_of_runs
+from ..results.kept import has_entries
 from ..simulation.outcomes import Outcome, in_words, of_run, with_partings
 from .tables import table, unit_cell
 
 if TYPE_CHECKING:
     import xarray
 
-T = TypeVar("T")
-
 
 def of_runs(runs: Sequence[xarray.Dataset]) -> list[Outcome]:
-    """The outcomes of recorded runs; a data set may hold a `Batch`."""
+    """The outcomes of recorded runs; a data set may hold a `Batch`.
+
+    Raises
+    ------
+    KingpostError
+        If events, warnings or limits of several runs are those of one run.
+    """
     found = []
     for run in runs:
         seeds = pooling.seeds(run)
         if "run" not in run.sizes:
-            found.append(of_run(run.attrs, seeds[0]))
+            found.append(of_run(run, seeds[0]))
             continue
-        limits = _of_each(run, "limits", limits_of_runs(run.attrs), len(seeds))
-        warnings = _of_each(run, "warnings", warnings_of_runs(run.attrs), len(seeds))
-        found += [with_partings(*one) for one in zip(seeds, limits, warnings, strict=True)]
+        if not has_entries(run):
+            raise KingpostError(
+                f"{pooling.file_of(run)}: found events, warnings or limits of another form, "
+                f"allowed: those of each of {len(seeds)} runs"
+            )
+        each = zip(seeds, limits_of_runs(run), warnings_of_runs(run), strict=True)
+        found += [with_partings(*one) for one in each]
     return found
-
-
-def _of_each(runs: xarray.Dataset, name: str, entries: list[list[T]], count: int) -> list[list[T]]:
-    """Entries of each of several runs, empty if there are none."""
-    entries = entries or [[]] * count
-    if not isinstance(entries, list) or len(entries) != count:
-        held = f"{len(entries)} entries" if isinstance(entries, list) else repr(shortened(str(entries)))
-        raise KingpostError(
-            f"{pooling.file_of(runs)}: {name}: found {held}, allowed: one for each of {count} runs"
-        )
-    return entries
 
 
 def blocks(outcomes: Sequence[Outcome]) -> list[list[str]]:

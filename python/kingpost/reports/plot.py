@@ -13,8 +13,9 @@ from ..analysis import pooling
 from ..errors import KingpostError
 from ..lettering import as_written
 from ..results.columns import unit_of
-from ..results.entries import LimitEntry, events_of, limits_of
+from ..results.entries import LimitEntry, events_of, limits_of, limits_of_runs
 from ..results.units import engineering
+from ..simulation.records import STEP_BEGINS
 from .selection import chosen, of_time
 
 if TYPE_CHECKING:
@@ -26,7 +27,6 @@ ENDINGS = (".png", ".svg", ".pdf")
 WIDTH_IN, PANEL_HEIGHT_IN = 11.0, 2.3
 MOST_LINES = 8
 """Largest number of lines in one panel: more cannot be distinguished."""
-BEGINS = "begins "
 
 
 def write(
@@ -103,7 +103,8 @@ def check(run: xarray.Dataset, patterns: Sequence[str]) -> None:
 
 def _limits(run: xarray.Dataset) -> dict[str, LimitEntry]:
     """The scenario's limits by their columns."""
-    return {limit["column"]: limit for limit in limits_of(run.attrs)}
+    limits = next(iter(limits_of_runs(run)), []) if "run" in run.sizes else limits_of(run)
+    return {limit["column"]: limit for limit in limits}
 
 
 def _panels(
@@ -158,13 +159,13 @@ def _draw_limit(axes: Axes, limit: LimitEntry | None, unit: str, colour: str) ->
 
 
 def _draw_steps(every: Sequence[Axes], run: xarray.Dataset) -> None:
-    for event in events_of(run.attrs):
+    for event in events_of(run):
         if event["element"] != "operation":
             continue
         for axes in every:
             axes.axvline(event["time_s"], color="0.5", ls=":", lw=0.8)
-        if not event["what"].startswith(BEGINS):
+        if event["code"] != STEP_BEGINS:
             continue
-        words = event["what"].removeprefix(BEGINS).strip('"')
+        words = event["what"].removeprefix("begins ").strip('"')
         every[0].annotate(words, (event["time_s"], 1.0), (2, 2), xycoords=("data", "axes fraction"),
                           textcoords="offset points", fontsize=7, rotation=20)  # fmt: skip

@@ -65,10 +65,10 @@ def numbers(results: xarray.Dataset, scenario: Scenario) -> dict[str, Any]:
         "status": results.attrs["status"],
         "time_s": results["time"].values[-1],
         "records": results.sizes["time"],
-        "limits": limits_of(results.attrs),
-        "events": events_of(results.attrs),
-        "warnings": warnings_of(results.attrs),
-        "model_warnings": model_warnings_of(results.attrs),
+        "limits": limits_of(results),
+        "events": events_of(results),
+        "warnings": warnings_of(results),
+        "model_warnings": model_warnings_of(results),
         "columns": of_columns,
     }
 

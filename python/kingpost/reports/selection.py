@@ -49,7 +49,7 @@ def chosen(results: xarray.Dataset, patterns: Sequence[str], option: str = "--ch
 def main_ones(results: xarray.Dataset, every: dict[str, Place]) -> list[str]:
     """The main columns: those with limits, position and angles of floating bodies, waves, joints, heights of
     named points such as a crane tip, and the forces of lines and other elements."""
-    limits = [] if "run" in results.sizes else limits_of(results.attrs)
+    limits = [] if "run" in results.sizes else limits_of(results)
     limited = {limit["column"] for limit in limits}
     of_ships = {f"{body}.{quantity}" for body in floating_bodies(results) for quantity in OF_SHIPS}
     return [

@@ -39,7 +39,7 @@ def start_s(results: xarray.Dataset, after_s: float | None) -> float:
     """Time from which records count: the given one, otherwise the end of the waves' ramp, if there is one."""
     if after_s is not None:
         return after_s
-    sea = scenario_of(results.attrs).get("sea")
+    sea = scenario_of(results).get("sea")
     ramp_s = float(sea["ramp_s"]) if sea else 0.0
     return ramp_s if ramp_s < float(results["time"].values[-1]) else 0.0
 
@@ -47,7 +47,7 @@ def start_s(results: xarray.Dataset, after_s: float | None) -> float:
 def exposure_s(results: xarray.Dataset, after_s: float | None) -> float:
     """Duration of the extremes: the length of the record for an operation, which is carried out once;
     otherwise three hours."""
-    operation = scenario_of(results.attrs).get("operation")
+    operation = scenario_of(results).get("operation")
     if operation and operation.get("enabled", True):
         return float(results["time"].values[-1]) - start_s(results, after_s)
     return statistics.THREE_HOURS_S

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..errors import KingpostError
 from .entries import floating_bodies_of
+from .entry_tables import NAMES as OF_ENTRIES
 from .units import IN_ENGINEERING, NAMES, engineering
 
 if TYPE_CHECKING:
@@ -142,6 +143,8 @@ def places(results: xarray.Dataset, along: Sequence[str] = ("time",)) -> dict[st
     """Position of each flat column by name; reads no values."""
     found: dict[str, Place] = {}
     for variable in results.data_vars.values():
+        if variable.name in OF_ENTRIES:
+            continue
         dims = [dim for dim in variable.dims if dim not in along]
         labels = [list(enumerate(results[dim].values)) for dim in dims]
         for entry in product(*labels):
@@ -251,4 +254,4 @@ def floating_bodies(results: xarray.Dataset) -> list[str]:
     >>> floating_bodies(run("paper", {"simulation.duration_s": 0.001}))
     ['ship']
     """
-    return floating_bodies_of(results.attrs)
+    return floating_bodies_of(results)

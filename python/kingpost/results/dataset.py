@@ -117,7 +117,7 @@ def attributes(scenario: Scenario, status: str) -> dict[str, Any]:
     Returns
     -------
     dict
-        Texts and numbers; lists and dictionaries as JSON.
+        Texts and numbers; the scenario, its files and the versions as JSON, names separated by blanks.
 
     >>> from kingpost import load
     >>> attributes(load("paper"), "finished")["Conventions"]
@@ -137,7 +137,6 @@ def attributes(scenario: Scenario, status: str) -> dict[str, Any]:
         "seed": scenario.resolved["simulation"]["seed"],
         "gravity_m_s2": described["gravity_m_s2"],
         "water_density_kg_m3": sea["density_kg_m3"] if sea else 0.0,
-        "floating_bodies": json.dumps([body["name"] for body in described["bodies"] if body["floats"]]),
-        "model_warnings": json.dumps(described["warnings"]),
+        "floating_bodies": " ".join(body["name"] for body in described["bodies"] if body["floats"]),
         "axes": AXES,
     }

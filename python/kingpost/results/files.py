@@ -19,8 +19,10 @@ from ..errors import KingpostError
 from ..reading import check_ends
 from . import xarrays
 from .columns import OVER_RUNS, columns, frame, nearest, places, unit_of
+from .entries import as_json
+from .entry_tables import NAMES as OF_ENTRIES
 from .events import events, warnings
-from .kept import are_of_a_run
+from .kept import is_of_a_run
 from .units import IN_ENGINEERING, NAMES, check_units, engineering
 
 if TYPE_CHECKING:
@@ -89,8 +91,9 @@ def write(
 ) -> Path:
     """Write results by the file's ending: ``.nc`` (NetCDF), ``.csv`` or ``.parquet``.
 
-    NetCDF and Parquet also hold units and attributes (Parquet: in the metadata of each field). A CSV holds
-    only the numbers; tables of the events (`events`) and the warnings (`warnings`) stand next to it as
+    NetCDF and Parquet also hold units and attributes (Parquet: in the metadata of each field), events,
+    warnings and limits (Parquet: as JSON text in the entry ``entries`` of its metadata). A CSV holds only the
+    numbers; tables of the events (`events`) and the warnings (`warnings`) stand next to it as
     ``<name>.events.csv`` and ``<name>.warnings.csv``, if there are any. Such tables of an earlier run are
     always overwritten.
 
@@ -150,12 +153,12 @@ def check_patterns(results: xarray.Dataset, patterns: Sequence[str]) -> None:
 
 
 def _variables(results: xarray.Dataset, patterns: Sequence[str]) -> xarray.Dataset:
-    """The variables with a column that matches one of the patterns."""
+    """The variables with a column that matches one of the patterns, and the events, warnings and limits."""
     if not patterns:
         return results
     every = places(results).items()
     wanted = {of.variable for name, of in every if any(fnmatchcase(name, pattern) for pattern in patterns)}
-    return results[[name for name in results.data_vars if name in wanted]]
+    return results[[name for name in results.data_vars if name in wanted or name in OF_ENTRIES]]
 
 
 def _write_parquet(results: xarray.Dataset, path: Path, patterns: Sequence[str], units: str) -> None:
@@ -169,7 +172,7 @@ def _write_parquet(results: xarray.Dataset, path: Path, patterns: Sequence[str],
         unit = si[field.name.partition(" [")[0]]
         shown = engineering(unit)[0] if units == IN_ENGINEERING else unit
         fields.append(field.with_metadata({"units": shown}))
-    attributes = {key: str(value) for key, value in results.attrs.items()}
+    attributes = {key: str(value) for key, value in results.attrs.items()} | {"entries": as_json(results)}
     metadata = {**(table.schema.metadata or {}), **attributes}
     checked = table.cast(pyarrow.schema(fields, metadata))
     pyarrow.parquet.write_table(checked, path, write_page_checksum=True)
@@ -324,13 +327,13 @@ def _unreadable(path: str | Path) -> KingpostError:
 
 
 def _checked(found: xarray.Dataset, path: str | Path) -> xarray.Dataset:
-    """Check that a data set has a time and readable attributes."""
+    """Check that a data set has a time, and readable attributes, events, warnings and limits."""
     if "time" not in found.dims or "time" not in found.coords:
         raise KingpostError(f"{path}: found no dimension time, {ALLOWED}")
     time = found["time"].values
     if not (time.dtype.kind == "f" and time.size and np.isfinite(time).all()):
         raise KingpostError(f"{path}: {DAMAGED}, {ALLOWED}")
-    if not are_of_a_run(found.attrs, found.sizes.get("run")):
+    if not is_of_a_run(found):
         raise KingpostError(f"{path}: {DAMAGED}, {ALLOWED}")
     for key, variable in found.variables.items():
         labels = dict.fromkeys((str(dim) for dim in variable.dims if dim not in OVER_RUNS), "")

@@ -1,4 +1,5 @@
-"""JSON attributes of a file of results, and the form of each."""
+"""Form of what a file of results holds: its JSON attributes, and the variables of its events, warnings and
+limits."""
 
 from __future__ import annotations
 
@@ -6,77 +7,106 @@ import json
 import math
 from collections.abc import Mapping
 from types import NoneType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-NUMBER, TEXT, FLAG, OR_NOTHING = "number", "text", "flag", "?"
-KINDS = {TEXT: str, FLAG: bool}
-ENTRIES = {
-    "events": {"time_s": NUMBER, "element": TEXT, "what": TEXT},
-    "warnings": {"time_s": NUMBER, "name": TEXT, "text": TEXT},
-    "limits": {
-        "name": TEXT, "column": TEXT, "unit": TEXT, "at_least": NUMBER + OR_NOTHING,
-        "at_most": NUMBER + OR_NOTHING,
-        "held": FLAG + OR_NOTHING, "worst": NUMBER + OR_NOTHING, "worst_time_s": NUMBER + OR_NOTHING,
-    },
-}  # fmt: skip
-"""Attributes with a list of entries; for several runs a list for each run."""
-TEXTS = ("model_warnings", "floating_bodies")
-"""Attributes with a list of texts."""
+from .entry_tables import BOUNDS, HELD, MODEL, OF_RUNS, TABLES, Field
+
+if TYPE_CHECKING:
+    import xarray
+    from numpy.typing import NDArray
+
 FIELDS = ("scenario", "files", "versions")
-"""Attributes with fields by name."""
+"""Attributes of JSON text, with fields by name."""
 
 
-def are_of_a_run(attributes: Mapping[str, Any], runs: int | None) -> bool:
-    """Whether attributes have the form of those of a run, or of all runs of a `Batch`. Attributes may be
-    missing: files of earlier versions have fewer.
+def is_of_a_run(results: xarray.Dataset) -> bool:
+    """Whether attributes, events, warnings and limits have the form of those of a run, or of all runs of a
+    `Batch`. They may be missing: files of earlier versions have fewer.
 
-    >>> are_of_a_run({"events": '[{"time_s": 1.5, "element": "winch", "what": "stops"}]'}, None)
-    True
-    >>> are_of_a_run({"events": '[{"time_s": 1.5}]'}, None), are_of_a_run({"limits": "[[]]"}, 2)
-    (False, False)
+    >>> import xarray
+    >>> from .entries import with_entries
+    >>> found = with_entries(xarray.Dataset(), model_warnings=["nothing carries the ship"])
+    >>> is_of_a_run(found), is_of_a_run(found.drop_vars("warning_text"))
+    (True, False)
+    """
+    return has_attributes(results.attrs) and has_entries(results)
+
+
+def has_attributes(attributes: Mapping[str, Any]) -> bool:
+    """Whether attributes have the form of those of a run.
+
+    >>> has_attributes({"seed": 1}), has_attributes({"scenario": "[]"})
+    (True, False)
     """
     try:
-        found = {
-            name: json.loads(attributes[name]) for name in (*ENTRIES, *TEXTS, *FIELDS) if name in attributes
-        }
+        found = {name: json.loads(attributes[name]) for name in FIELDS if name in attributes}
     except (TypeError, ValueError, RecursionError):
         return False
     return (
-        all(_are_entries(found[name], fields, runs) for name, fields in ENTRIES.items() if name in found)
-        and all(_is_list_of_texts(found[name]) for name in TEXTS if name in found)
-        and all(isinstance(found[name], dict) for name in FIELDS if name in found)
+        all(isinstance(tree, dict) for tree in found.values())
         and all(isinstance(digest, str) for digest in found.get("files", {}).values())
         and _is_scenario(found.get("scenario", {}))
         and isinstance(attributes.get("seed", 0), int | np.integer)
+        and isinstance(attributes.get("floating_bodies", ""), str)
     )
 
 
-def _are_entries(found: object, fields: Mapping[str, str], runs: int | None) -> bool:
-    if not isinstance(found, list):
-        return False
-    if runs is not None and found and all(isinstance(of_run, list) for of_run in found):
-        return len(found) == runs and all(_are_entries(of_run, fields, None) for of_run in found)
-    return all(
-        isinstance(entry, dict) and all(name in entry and _is(entry[name], kind) for name,
-        kind in fields.items())
-        and not ("at_most" in fields and entry["at_least"] is None and entry["at_most"] is None)
-        for entry in found
-    )  # fmt: skip
+def has_entries(results: xarray.Dataset) -> bool:
+    """Whether the variables of events, warnings and limits have the form of those of a run; each table may be
+    absent.
+
+    >>> import xarray
+    >>> has_entries(xarray.Dataset({"event_time": ("event", [1.5])}))
+    False
+    """
+    runs = results.sizes.get("run")
+    for dim, fields in TABLES.items():
+        expected = [name for name, field in fields.items() if field.key != "run" or runs is not None]
+        present = [name for name in fields if name in results.variables]
+        if not present:
+            continue
+        if not set(expected) <= set(present):
+            return False
+        held = {name: results.variables[name] for name in expected}
+        if not all(_is_along(held[name], dim, name, runs) for name in expected):
+            return False
+        values = {name: np.asarray(one.values) for name, one in held.items()}
+        if not all(_is_of_type(values[name], fields[name]) for name in expected):
+            return False
+        if not _makes_sense(dim, values, runs):
+            return False
+    return True
 
 
-def _is(value: object, kind: str) -> bool:
-    if value is None:
-        return kind.endswith(OR_NOTHING)
-    kind = kind.removesuffix(OR_NOTHING)
-    if kind == NUMBER:
-        return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
-    return isinstance(value, KINDS[kind])
+def _is_along(variable: xarray.Variable, dim: str, name: str, runs: int | None) -> bool:
+    """Whether a variable has its dimensions: for several runs some have the dimension ``run``."""
+    if runs is None or name not in (*OF_RUNS, *BOUNDS):
+        return variable.dims == (dim,)
+    return variable.dims == ("run", dim) or (name in BOUNDS and variable.dims == (dim,))
 
 
-def _is_list_of_texts(found: object) -> bool:
-    return isinstance(found, list) and all(isinstance(text, str) for text in found)
+def _is_of_type(values: NDArray[Any], field: Field) -> bool:
+    if field.kind is str:
+        return values.dtype.kind == "U" or all(isinstance(text, str) for text in values.ravel().tolist())
+    if field.kind is float:
+        return values.dtype.kind == "f" and not np.isinf(values).any()
+    return values.dtype.kind in "iu"
+
+
+def _makes_sense(dim: str, values: Mapping[str, NDArray[Any]], runs: int | None) -> bool:
+    """Whether the numbers that must be known are known."""
+    if dim == "event":
+        return not np.isnan(values["event_time"]).any()
+    if dim == "warning":
+        of_run = values.get("warning_run", np.empty(0, int))
+        known = np.isfinite(values["warning_time"]) | (values["warning_code"] == MODEL)
+        return bool(known.all() and (of_run >= -1).all() and (of_run < (runs or 0)).all())
+    held, (least, most) = values[f"limit_{HELD}"], (values[name] for name in BOUNDS)
+    is_bounded = ~np.isnan(least) | ~np.isnan(most)
+    is_judged = (held == -1) | ~np.isnan(values["limit_worst"])
+    return bool(np.isin(held, (-1, 0, 1)).all() and is_bounded.all() and is_judged.all())
 
 
 def _is_scenario(found: Any) -> bool:
@@ -87,7 +117,7 @@ def _is_scenario(found: Any) -> bool:
     return (
         all(isinstance(found.get(name), dict | NoneType) for name in ("sea", "operation"))
         and isinstance(found.get("simulation", {}), dict)
-        and (not sea or _is(sea.get("ramp_s"), NUMBER))
+        and (not sea or _is_number(sea.get("ramp_s")))
         and (
             not parameters
             or (
@@ -96,3 +126,7 @@ def _is_scenario(found: Any) -> bool:
             )
         )
     )
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)

@@ -94,9 +94,10 @@ class Batch:
         xarray.Dataset
             The variables of `kingpost.run` with a first dimension ``run``; along it the values of
             the parameters and ``status``, which is ``finished`` or the reason why the run ended. A run that
-            ended early has NaN after its end. The attributes ``warnings`` and ``limits`` are a list for each
-            run, as JSON. ``model_warnings`` holds the warnings about the model of the first run. Each warning
-            is also a `KingpostWarning`; the same warning of many runs appears once.
+            ended early has NaN after its end. ``warning_run`` is the run of each warning, -1 for those about
+            the model of the first run; results of limits have the dimensions ``run`` and ``limit``. Events
+            are not recorded. Each warning is also a `KingpostWarning`; the same warning of many runs appears
+            once.
 
         Raises
         ------
@@ -135,7 +136,7 @@ class Batch:
         channels, warnings, limits = json.loads(published)
         LOG.info("%s: %s", self.scenario.title, summed_up)
         found = results.dataset(self.scenario, channels, _stacked(rows), summed_up)
-        entries.write(found.attrs, warnings=warnings, limits=limits, model_warnings=known)
+        found = entries.with_entries_of_runs(found, warnings=warnings, limits=limits, model_warnings=known)
         emit_warnings([*known, *self._came_of(limits, warnings)])
         along = {name: ("run", np.array(values)) for name, values in self.parameters.items()}
         about = {"run": np.arange(len(status)), "status": ("run", np.array(status, str))}

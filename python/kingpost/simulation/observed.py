@@ -30,13 +30,13 @@ class Observed:
 
     @property
     def events(self) -> list[Event]:
-        """The events so far, in order of time; a data set holds them as JSON in ``attrs["events"]``.
+        """The events so far, in order of time; a data set holds them along ``event``.
 
         >>> from kingpost import Simulation, load
         >>> Simulation("paper").events
         []
         """
-        return [Event(*event) for event in self._engine.events()]
+        return [Event(**event) for event in json.loads(self._engine.events_json())]
 
     @property
     def model_warnings(self) -> list[str]:
@@ -68,8 +68,7 @@ class Observed:
 
     @property
     def warnings(self) -> list[Warning]:
-        """Warnings from the rows so far, in order of time; a data set holds them as JSON in
-        ``attrs["warnings"]``.
+        """Warnings from the rows so far, in order of time; a data set holds them along ``warning``.
 
         >>> from kingpost import Simulation, load
         >>> Simulation("paper").warnings
@@ -79,8 +78,7 @@ class Observed:
 
     @property
     def limits(self) -> list[Limit]:
-        """Results of the scenario's limits in the rows so far; a data set holds them as JSON in
-        ``attrs["limits"]``.
+        """Results of the scenario's limits in the rows so far; a data set holds them along ``limit``.
 
         >>> from kingpost import Simulation, load
         >>> limits = {"limits": {"roll": {"column": "ship.roll", "within": 10, "unit": "deg"}}}

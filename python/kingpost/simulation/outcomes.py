@@ -7,7 +7,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING
 
 from ..results.entries import (
     EventEntry,
@@ -18,13 +18,14 @@ from ..results.entries import (
     model_warnings_of,
     warnings_of,
 )
-from .records import PARTS
+from .records import OFF_BALANCE, PARTS
+
+if TYPE_CHECKING:
+    import xarray
 
 # Pattern of a number; digits in a name such as leg_2 do not match.
 NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 PARTED = "parted at"
-ENERGY, OFF_BALANCE = "energy", "is off its balance by"
-"""Name of the warning about the energy balance, and the first words of its text."""
 
 
 @dataclass(frozen=True)
@@ -49,12 +50,12 @@ class Outcome:
     @property
     def is_off_balance(self) -> bool:
         """Whether the energy balance of the run is violated; its numbers are then unreliable."""
-        return any(one["name"] == ENERGY and one["text"].startswith(OFF_BALANCE) for one in self.warnings)
+        return any(warning["code"] == OFF_BALANCE for warning in self.warnings)
 
 
-def of_run(attributes: Mapping[str, Any], seed: int) -> Outcome:
-    """The outcome of a run, from the attributes of its data set."""
-    return with_partings(seed, limits_of(attributes), warnings_of(attributes), events_of(attributes))
+def of_run(results: xarray.Dataset, seed: int) -> Outcome:
+    """The outcome of a run, from its data set."""
+    return with_partings(seed, limits_of(results), warnings_of(results), events_of(results))
 
 
 def with_partings(
@@ -65,11 +66,19 @@ def with_partings(
     counted_by: str = "seed",
 ) -> Outcome:
     """The outcome of a run; each rope that parted is among its warnings, with the time."""
-    told = {warning["name"] for warning in warnings if warning["text"].startswith(PARTS)}
+    told = {warning["name"] for warning in warnings if warning["code"] == PARTS}
     untold = [
-        WarningEntry(time_s=event["time_s"], name=event["element"], text=PARTS)
+        WarningEntry(
+            time_s=event["time_s"],
+            code=PARTS,
+            name=event["element"],
+            value=None,
+            bound=None,
+            unit="",
+            text=PARTS,
+        )
         for event in events
-        if event["what"] == PARTS and event["element"] not in told
+        if event["code"] == PARTS and event["element"] not in told
     ]
     every = [_with_time_of_parting(warning) for warning in warnings + untold]
     return Outcome(seed, limits, every, counted_by)
@@ -78,43 +87,45 @@ def with_partings(
 def _with_time_of_parting(warning: WarningEntry) -> WarningEntry:
     """A warning; if a rope parts, its text contains the time.
 
-    >>> _with_time_of_parting({"time_s": 67.2913, "name": "whip", "text": "parts: its load"})["text"]
+    >>> warning = {"time_s": 67.2913, "code": "parts", "name": "whip", "text": "parts: its load"}
+    >>> _with_time_of_parting(warning)["text"]
     'parted at 67.29 s: its load'
     """
-    text = warning["text"]
-    if not text.startswith(PARTS):
+    if warning["code"] != PARTS:
         return warning
-    parted = f"{PARTED} {warning['time_s']:.2f} s{text.removeprefix(PARTS)}"
-    return WarningEntry(time_s=warning["time_s"], name=warning["name"], text=parted)
+    return {**warning, "text": f"{PARTED} {warning['time_s']:.2f} s{warning['text'].removeprefix(PARTS)}"}
 
 
-def every_warning(attributes: Mapping[str, Any]) -> list[str]:
-    """All warnings of a run, from the attributes of its data set: those before the run, ropes that parted,
-    and the other warnings of the engine.
+def every_warning(results: xarray.Dataset) -> list[str]:
+    """All warnings of a run, from its data set: those before the run, ropes that parted, and the other
+    warnings of the engine.
 
-    >>> every_warning({"warnings": '[{"time_s": 4.0, "name": "ship", "text": "it heeled"}]'})
-    ['ship: it heeled']
+    >>> import xarray
+    >>> from kingpost.results.entries import with_entries
+    >>> every_warning(with_entries(xarray.Dataset(), model_warnings=["nothing carries the ship"]))
+    ['nothing carries the ship']
     """
-    of_parting, others = in_words([of_run(attributes, int(attributes.get("seed", 0)))])
-    return [*model_warnings_of(attributes), *of_parting, *others]
+    of_parting, others = in_words([of_run(results, int(results.attrs.get("seed", 0)))])
+    return [*model_warnings_of(results), *of_parting, *others]
 
 
 def in_words(outcomes: Sequence[Outcome]) -> tuple[list[str], list[str]]:
     """Warnings of the engine: of ropes that parted, and the others. Warnings of several runs that differ only
     in their numbers are given once."""
-    alike: dict[tuple[str, str], dict[int, list[str]]] = {}
+    alike: dict[tuple[str, str, str], dict[int, list[str]]] = {}
     for run, outcome in enumerate(outcomes):
         for warning in outcome.warnings:
             pattern = NUMBER.sub("#", warning["text"]) if len(outcomes) > 1 else warning["text"]
-            alike.setdefault((warning["name"], pattern), {}).setdefault(run, []).append(warning["text"])
+            kind = (warning["code"], warning["name"], pattern)
+            alike.setdefault(kind, {}).setdefault(run, []).append(warning["text"])
     of_parting: list[str] = []
     others: list[str] = []
-    for (name, _), texts in alike.items():
+    for (code, name, _), texts in alike.items():
         first = next(iter(texts.values()))[0]
-        named = f"{name} {first}" if first.startswith(PARTED) else f"{name}: {first}"
+        named = f"{name} {first}" if code == PARTS else f"{name}: {first}"
         several = f"in {len(texts)} of {len(outcomes)} runs{_range(outcomes, texts)}, first: "
         said = several + named if len(outcomes) > 1 else named
-        (of_parting if first.startswith(PARTED) else others).append(said)
+        (of_parting if code == PARTS else others).append(said)
     return of_parting, others
 
 

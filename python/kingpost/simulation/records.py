@@ -102,22 +102,30 @@ class Event:
         Time of the event, located to 1e-12 s.
     element
         The element that watched for it.
+    code
+        Kind of event, in words joined by ``_``, such as ``goes_slack``.
     what
         Name of the event.
     """
 
     time_s: float
     element: str
+    code: str
     what: str
 
 
-REPEATING = frozenset({"goes slack", "comes taut", "touches", "leaves", "slides", "holds"})
-"""Repeating events of ropes and contacts; every other event is the start, the end or a failure of
+REPEATING = frozenset({"goes_slack", "comes_taut", "touches", "leaves", "slides", "holds"})
+"""Codes of repeating events of ropes and contacts; every other event is the start, the end or a failure of
 something."""
 
-
 PARTS = "parts"
-"""The event of a rope at its breaking load; the text of its warning begins with the same word."""
+"""Code of the event of a rope at its breaking load, and of its warning."""
+
+STEP_BEGINS = "step_begins"
+"""Code of the event at the start of a step of the operation."""
+
+OFF_BALANCE = "energy_off_balance"
+"""Code of the warning about the energy balance."""
 
 
 @dataclass(frozen=True)
@@ -129,14 +137,23 @@ class Warning:
     ----------
     time_s
         Time of the warning, s.
+    code
+        Cause of the warning, in words joined by ``_``, such as ``large_heel``.
     name
         A joint, a closed loop, a body, a force or a drive.
+    value, bound, unit
+        The value that exceeds its bound, the bound, and the unit of both; None and an empty unit if the
+        warning has no number.
     text
         The text of the warning.
     """
 
     time_s: float
+    code: str
     name: str
+    value: float | None
+    bound: float | None
+    unit: str
     text: str
 
 

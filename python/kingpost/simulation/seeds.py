@@ -8,7 +8,7 @@ import os
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,6 +16,7 @@ from .. import results
 from ..engine import source_digest
 from ..errors import KingpostError
 from ..results import entries
+from ..results.kept import is_of_a_run
 from .batch import FINISHED, MOST_MEMORY_GB, SEED, Batch
 from .simulate import Progress, Simulation
 
@@ -52,11 +53,22 @@ def files(pattern: str | Path, count: int) -> list[Path]:
 
 @dataclass(frozen=True)
 class OfSeed:
-    """A run in a file: its attributes, and whether the file of the same run existed already."""
+    """A run in a file: its events, warnings and limits, with its attributes, and whether the file of the same
+    run existed already."""
 
     path: Path
-    attributes: dict[str, Any]
+    entries: xarray.Dataset
     was_there: bool = False
+
+    @property
+    def seed(self) -> int:
+        """Seed of the run."""
+        return int(self.entries.attrs["seed"])
+
+    @property
+    def status(self) -> str:
+        """``finished``, or why the run ended."""
+        return str(self.entries.attrs["status"])
 
 
 def run(
@@ -91,7 +103,7 @@ def run(
             one = _alone(scenario.with_overrides({SEED: seeds[path]}), together, k)
             one.attrs["fingerprint"] = prints[path]
             results.write(one, path, patterns, units)
-            done[path] = one.attrs
+            done[path] = entries.only(one)
     for path in paths:
         yield OfSeed(path, done[path], path in there)
 
@@ -111,20 +123,21 @@ def fingerprint(scenario: Scenario, seed: int, patterns: Sequence[str] = ()) -> 
     return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()
 
 
-def _finished(path: Path, expected: str) -> dict[str, Any] | None:
-    """The attributes of a file that already holds this finished run; None for any other file."""
+def _finished(path: Path, expected: str) -> xarray.Dataset | None:
+    """The events, warnings and limits of a file that already holds this finished run; None for any other
+    file."""
     import xarray
 
     if path.suffix.lower() != ".nc" or not os.path.isfile(path):
         return None
     try:
         with xarray.open_dataset(path, engine="h5netcdf") as found:
-            attributes = dict(found.attrs)
+            held = entries.only(found)
     except Exception:
         # A file that cannot be read is replaced.
         return None
-    matches = attributes.get("fingerprint") == expected and attributes.get("status") == FINISHED
-    return attributes if matches else None
+    matches = held.attrs.get("fingerprint") == expected and held.attrs.get("status") == FINISHED
+    return held if matches and is_of_a_run(held) else None
 
 
 def _from(done: int, progress: Progress | None) -> Progress | None:
@@ -133,10 +146,10 @@ def _from(done: int, progress: Progress | None) -> Progress | None:
 
 def _alone(scenario: Scenario, batch: xarray.Dataset, run: int) -> xarray.Dataset:
     """One run of a batch as a data set like that of `kingpost.run`."""
-    of_batch = batch.isel(run=run)
+    of_batch = entries.of_run(batch, run)
     status = of_batch["status"].item()
     if status != FINISHED:
         recorded = np.isfinite(of_batch["kinetic_energy"].values)
         of_batch = of_batch.isel(time=np.arange(recorded.sum()))
     alone = of_batch.drop_vars(["run", "status", SEED])
-    return alone.assign_attrs(results.attributes(scenario, status) | entries.of_run(batch.attrs, run))
+    return alone.assign_attrs(results.attributes(scenario, status))

@@ -10,7 +10,6 @@ import json
 import logging
 from collections.abc import Callable
 from copy import copy
-from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -106,9 +105,9 @@ class Simulation(Observed, Equations):
     def run(self, progress: Progress | None = None) -> xarray.Dataset:
         """Run from the present time to the scenario's duration and return the recorded results.
 
-        The attributes ``events``, ``warnings`` and ``limits`` hold the events, the warnings and the results
-        of the scenario's limits, as JSON; ``model_warnings`` holds the warnings from before the run. Each
-        warning is also a `KingpostWarning`.
+        The variables along ``event``, ``warning`` and ``limit`` hold the events, the warnings and the results
+        of the scenario's limits; warnings from before the run have the code ``model``. Each warning is also a
+        `KingpostWarning`.
 
         `progress` is called at intervals with the time in seconds.
 
@@ -140,16 +139,15 @@ class Simulation(Observed, Equations):
         rows, error = self._engine.run(progress)
         status = "finished" if error is None else str(error) or "interrupted"
         LOG.info("%s: %s at %g s, %d rows", self.scenario.title, status, self.time_s, len(rows))
-        results = dataset(self.scenario, self.channels, rows, status)
-        entries.write(
-            results.attrs,
-            events=[asdict(event) for event in self.events],
-            warnings=[asdict(warning) for warning in self.warnings],
-            limits=[asdict(limit) for limit in self.limits],
+        results = entries.with_entries(
+            dataset(self.scenario, self.channels, rows, status),
+            events=json.loads(self._engine.events_json()),
+            warnings=json.loads(self._engine.warnings_json()),
+            limits=json.loads(self._engine.limits_json()),
             model_warnings=known,
         )
         self.results = results
-        emit_warnings(every_warning(results.attrs))
+        emit_warnings(every_warning(results))
         if error is not None:
             error.results = results
             raise error

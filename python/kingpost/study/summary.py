@@ -126,11 +126,12 @@ def _limit(found: xarray.Dataset, k: int, plan: Plan) -> LimitSummary:
 
 
 def _warnings(folder: Path) -> list[WarningCount]:
-    alike: dict[tuple[str, str], WarningCount] = {}
+    alike: dict[tuple[str, str, str], WarningCount] = {}
     for marker in layout.markers(folder):
         for one in marker["warnings"]:
             none: WarningCount = {**one, "runs": 0}
-            entry = alike.setdefault((one["name"], NUMBER.sub("#", one["text"])), none)
+            kind = (one["code"], one["name"], NUMBER.sub("#", one["text"]))
+            entry = alike.setdefault(kind, none)
             entry["runs"] += one["runs"]
     return sorted(alike.values(), key=lambda one: (-one["runs"], one["name"]))
 

@@ -65,7 +65,7 @@ def section(by_runs: xarray.Dataset | str, by_screen: xarray.Dataset | str) -> S
 
 
 def _sea(found: xarray.Dataset) -> dict[str, str]:
-    return sea_of(found.attrs)
+    return sea_of(found)
 
 
 def _axes(found: xarray.Dataset) -> list[str]:

@@ -49,6 +49,7 @@ class WarningCount(TypedDict):
     """Number of runs with one kind of warning, and its first text; texts that differ only in numbers are one
     kind."""
 
+    code: str
     name: str
     text: str
     runs: int

@@ -30,7 +30,7 @@ def of_plan(plan: Plan, found: xarray.Dataset) -> Iterator[tuple[str, Operabilit
         Limiting heights, by runs or by linear response.
     """
     name = plan.file.content.get("scatter")
-    sea = sea_of(found.attrs)
+    sea = sea_of(found)
     if not name or sea.get("peak_period") not in found["limiting_height"].dims:
         return
     table = scatter.read(plan.file.beside(name))

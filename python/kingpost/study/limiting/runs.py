@@ -10,7 +10,7 @@ import numpy as np
 
 from ...analysis.extremes import Extreme, extreme
 from ...errors import KingpostError
-from ...results.entries import axes_of, sea_of
+from ...results.entries import axes_of, sea_attributes, sea_of
 from ..reduce import FINISHED, NOT_RUN
 
 if TYPE_CHECKING:
@@ -113,8 +113,12 @@ def limiting_heights(
         "probability": ([*dims, height], -np.expm1(-np.exp(-reduced[0])), {"units": "1"}),
         "ended_early": (axes, ended),
     }
-    about = {name: results.attrs[name] for name in ("title", "sea", "fingerprint") if name in results.attrs}
-    about |= {"acceptance": acceptance, "operation_s": operation_s, "confidence": confidence}
+    about = {name: results.attrs[name] for name in ("title", "fingerprint") if name in results.attrs}
+    about |= sea_attributes(sea_of(results)) | {
+        "acceptance": acceptance,
+        "operation_s": operation_s,
+        "confidence": confidence,
+    }
     coordinates = _coordinates(results, others, values) | {height: (height, heights, results[height].attrs)}
     return xarray.Dataset(variables, coordinates, about)
 
@@ -129,8 +133,8 @@ def _coordinates(results: xarray.Dataset, names: list[str], values: Values) -> d
 
 
 def _axes(results: xarray.Dataset) -> tuple[list[str], str]:
-    axes = axes_of(results.attrs)
-    height = sea_of(results.attrs).get("significant_height")
+    axes = axes_of(results)
+    height = sea_of(results).get("significant_height")
     if height not in axes:
         raise KingpostError(f"significant height: found no axis of it among {', '.join(axes)}, allowed: one")
     if "limit" not in results.sizes:

@@ -74,14 +74,15 @@ class LimitingSea:
             Values of the axes other than peak period and direction, by name; axes with one value may be
             omitted.
         sea
-            Names of the axes of ``peak_period`` and ``direction``; default: the attribute ``sea``.
+            Names of the axes of ``peak_period`` and ``direction``; default: the attributes
+            ``sea_peak_period`` and ``sea_direction``.
 
         Raises
         ------
         KingpostError
             If there is no axis of the peak period, or the value of another axis is missing.
         """
-        names = sea_of(found.attrs) | dict(sea or {})
+        names = sea_of(found) | dict(sea or {})
         period, direction = names.get("peak_period"), names.get("direction")
         heights = found["limiting_height"]
         if period not in heights.dims:

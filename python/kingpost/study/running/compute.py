@@ -11,12 +11,15 @@ from numpy.typing import NDArray
 from ...engine import engine, source_digest
 from ...errors import KingpostError
 from ...results.channels import Channel
+from ...results.entries import WarningEntry
 from ...simulation.outcomes import NUMBER
 from .. import reduce
 from ..design.job import LANES, MOST_BYTES, Job, Result, WarningCount
 
 TOGETHER_BYTES = 200_000_000
 """Largest memory of the rows that a worker holds at a time, bytes."""
+Warned = dict[tuple[str, str, str], WarningCount]
+"""Warnings by their code, their name and their text without numbers."""
 MOST_WARNINGS = 50
 """Largest number of kinds of warnings that are kept of a unit."""
 
@@ -25,7 +28,7 @@ def compute(job: Job) -> Result:
     """Run and reduce a unit."""
     arrays = reduce.empty(job.kept, len(job.variants))
     ends: dict[int, str] = {}
-    warned: dict[tuple[str, str], WarningCount] = {}
+    warned: Warned = {}
     together = max(1, int(TOGETHER_BYTES / max(job.run_bytes, 1.0)))
     together = together // LANES * LANES or together
     for first in range(0, len(job.variants), together):
@@ -39,7 +42,7 @@ def _some(
     runs: range,
     arrays: dict[str, NDArray[np.generic]],
     ends: dict[int, str],
-    warned: dict[tuple[str, str], WarningCount],
+    warned: Warned,
 ) -> None:
     """Compute runs together, or each alone if one of them is not a valid scenario or has other bodies."""
     variants = json.dumps([job.variants[run] for run in runs])
@@ -68,14 +71,16 @@ def _some(
         if ended is not None:
             ends[run] = str(ended)
         reduce.reduce(arrays, run, rows[k], at, limits[k], ended is None, job.kept)
-        _count([(one["name"], one["text"]) for one in warnings[k]], warned)
+        _count(warnings[k], warned)
 
 
-def _count(warnings: list[tuple[str, str]], warned: dict[tuple[str, str], WarningCount]) -> None:
-    of_run = {(name, NUMBER.sub("#", text)): text for name, text in reversed(warnings)}
-    for (name, pattern), text in of_run.items():
-        entry = warned.setdefault((name, pattern), {"name": name, "text": text, "runs": 0})
-        entry["runs"] += 1
+def _count(warnings: list[WarningEntry], warned: Warned) -> None:
+    of_run = {
+        (one["code"], one["name"], NUMBER.sub("#", one["text"])): one["text"] for one in reversed(warnings)
+    }
+    for kind, text in of_run.items():
+        none: WarningCount = {"code": kind[0], "name": kind[1], "text": text, "runs": 0}
+        warned.setdefault(kind, none)["runs"] += 1
 
 
 def _places(channels: list[Channel]) -> dict[str, int]:

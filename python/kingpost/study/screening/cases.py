@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ...results import entries
+from ...results.entries import sea_attributes
 from ..design.plan import Plan
 from .screen import screen
 
@@ -26,7 +26,8 @@ def of_plan(plan: Plan) -> xarray.Dataset:
     Returns
     -------
     xarray.Dataset
-        Result of `screen`, with the attribute ``sea``: the axis of each quantity of the sea.
+        Result of `screen`, with the name of the axis of each quantity of the sea in an attribute, such as
+        ``sea_peak_period``.
 
     Raises
     ------
@@ -43,8 +44,7 @@ def of_plan(plan: Plan) -> xarray.Dataset:
         acceptance=content["acceptance"],
         height=plan.sea.get("significant_height"),
     )
-    entries.write(found.attrs, sea=plan.sea)
-    return found
+    return found.assign_attrs(sea_attributes(plan.sea))
 
 
 def _axes(plan: Plan) -> dict[str, list[object]]:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...engine import engine
+from ...results.entries import sea_attributes
 from ..design.plan import Plan
 from ..reduce import HELD_MEANINGS, STATISTICS, STATUS, variables
 
@@ -106,8 +107,8 @@ def _attributes(plan: Plan) -> dict[str, str | float]:
         "files": json.dumps(plan.scenario.digests),
         "fingerprint": plan.fingerprint,
         "kingpost": engine.__version__,
-        "axes": json.dumps(plan.cases.names),
-        "sea": json.dumps(plan.sea),
+        "axes": " ".join(plan.cases.names),
+        **sea_attributes(plan.sea),
         "after_s": content["after_s"],
         "duration_s": settings["duration_s"],
         "operation_s": content.get("operation_s", length_s),
