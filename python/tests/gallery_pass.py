@@ -11,6 +11,7 @@ import kingpost
 import numpy as np
 from filelock import FileLock
 from kingpost import results
+from kingpost.results import entries
 
 
 @dataclass
@@ -45,7 +46,7 @@ def seen(name: str) -> dict[str, Any]:
         "resolved": scenario.resolved,
         "model": scenario.model,
         "files": list(scenario.files),
-        "model_warnings": json.loads(found.attrs["model_warnings"]),
+        "model_warnings": entries.model_warnings_of(found),
         "channels": simulation.channels,
         "units": units,
         "columns": list(table.columns),

@@ -25,6 +25,8 @@ def test_each_run_of_a_batch_has_the_bits_of_the_run_alone() -> None:
     for run, place in enumerate(places):
         alone = kingpost.run("paper", SHORT, crane_x_m=place)
         for name, variable in alone.data_vars.items():
+            if "time" not in variable.dims:
+                continue
             np.testing.assert_array_equal(found[name].isel(run=run).values, variable.values, err_msg=name)
 
 

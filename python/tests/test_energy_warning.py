@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import json
 import warnings
 from pathlib import Path
 
 import kingpost
 import numpy as np
 import pytest
+from kingpost.results import entries
+from kingpost.simulation.records import OFF_BALANCE
 
 PENDULUM = """version: 1
 title: A pendulum
@@ -32,8 +33,8 @@ def energy_warnings(tmp_path: Path, integrator: str, step_s: float, height_m: fl
     path.write_text(
         PENDULUM.format(integrator=integrator, step_s=step_s, height_m=height_m), encoding="utf-8"
     )
-    found = json.loads(kingpost.run(path).attrs["warnings"])
-    return [one["text"] for one in found if one["name"] == "energy"]
+    found = entries.warnings_of(kingpost.run(path))
+    return [one["text"] for one in found if one["code"] == OFF_BALANCE]
 
 
 @pytest.mark.parametrize("height_m", [0.0, 400.0, -3000.0])

@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
-import json
 import re
 from pathlib import Path
 
 import xarray
 from kingpost.cli import main
 from kingpost.reports import events as event_report
-from kingpost.simulation.records import PARTS, REPEATING
+from kingpost.results.entries import with_entries
+from kingpost.simulation.records import PARTS, REPEATING, STEP_BEGINS
 
 ENGINE = Path(__file__).resolve().parents[2] / "crates" / "kingpost" / "src"
 
 
 def shown(*events: tuple[float, str, str]) -> list[str]:
-    """Lines of a run's events, with single blanks."""
-    found = [{"time_s": time_s, "element": element, "what": what} for time_s, element, what in events]
-    lines = event_report.events(xarray.Dataset(attrs={"events": json.dumps(found)}))
+    """Lines of a run's events, with single blanks; an event's code is its name with _ for blanks."""
+    found = [
+        {"time_s": time_s, "element": element, "code": what.replace(" ", "_"), "what": what}
+        for time_s, element, what in events
+    ]
+    lines = event_report.events(with_entries(xarray.Dataset(), events=found))
     return [" ".join(line.split()) for line in lines]
 
 
@@ -66,7 +69,7 @@ def test_a_run_without_events_prints_no_table():
     assert shown() == []
 
 
-def test_the_repeating_events_of_the_report_are_events_of_the_engine():
-    """Source: the words of the engine's elements."""
+def test_the_codes_that_the_reports_know_are_codes_of_the_engine():
+    """Source: the codes of the engine's elements."""
     text = "\n".join(path.read_text(encoding="utf-8") for path in ENGINE.glob("elements/**/*.rs"))
-    assert set(re.findall(r'"([a-z ]+)"', text)) >= {*REPEATING, PARTS}
+    assert set(re.findall(r'"([a-z_]+)"', text)) >= {*REPEATING, PARTS, STEP_BEGINS}

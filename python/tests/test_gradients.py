@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-import json
 from collections.abc import Iterator
 
 import kingpost
@@ -103,7 +102,7 @@ def test_derivatives_agree_with_central_differences_to_their_error(name, paramet
     runs = kingpost.Batch(scenario, {parameter: [value + by * step for by in (1, -1, 2, -2)]}).run()
     fine, coarse = (_difference(runs, first) / (2 * by * step) for first, by in ((0, 1), (2, 2)))
     of_the_scheme = 0 * fine
-    if json.loads(kingpost.run(scenario, {parameter: value}).attrs["events"]):
+    if kingpost.run(scenario, {parameter: value}).sizes["event"]:
         finer = kingpost.Batch(scenario, {parameter: [value + step, value - step]}, half_step).run()
         of_the_scheme = fine - _difference(finer, 0) / (2 * step)
     # Where the work of the drives passes zero, the energy and the momentum in play, roots of squares, have a
@@ -158,6 +157,8 @@ def test_a_gradient_contains_the_run_and_its_derivatives(tmp_path):
     found = kingpost.gradient("paper", names, SHORT)
     run = kingpost.run("paper", SHORT)
     for name, variable in run.data_vars.items():
+        if "time" not in variable.dims:
+            continue
         xarray.testing.assert_identical(found[name], variable)
         assert found[f"{name}_derivative"].dims == ("parameter", *variable.dims)
         assert found[f"{name}_derivative"].attrs["frame"] == variable.attrs["frame"]

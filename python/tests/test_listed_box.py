@@ -8,6 +8,7 @@ from pathlib import Path
 import kingpost
 import numpy as np
 import pytest
+from kingpost.results import entries
 
 PEERS = Path(__file__).parent / "peers"
 LIST_DEG = 5.0
@@ -72,7 +73,7 @@ def test_the_response_of_a_listed_box_equals_capytaines_for_the_heeled_hull(list
 
 def test_a_hull_in_the_attitude_of_its_coefficients_gives_no_warning(listing) -> None:
     run = kingpost.run(listing)
-    assert json.loads(run.attrs["warnings"]) == []
+    assert run.sizes["warning"] == 0
     roll = np.degrees(run["roll"].sel(body="hull").to_numpy())
     assert np.abs(roll - LIST_DEG).max() < 0.01
 
@@ -80,5 +81,7 @@ def test_a_hull_in_the_attitude_of_its_coefficients_gives_no_warning(listing) ->
 def test_a_hull_in_another_attitude_than_its_coefficients_gives_a_warning(listing) -> None:
     """Source: the ballast put back amidships lets it come upright, 5 degrees off."""
     run = kingpost.run(listing, overrides={"bodies.hull.centre_of_mass_m": [0, 0, 1]})
-    warnings = json.loads(run.attrs["warnings"])
-    assert any("its hydrodynamic coefficients are for 5.00 deg" in warning["text"] for warning in warnings)
+    (warning,) = (one for one in entries.warnings_of(run) if one["code"] == "mean_heel_off_data")
+    assert "its hydrodynamic coefficients are for 5.00 deg" in warning["text"]
+    assert abs(warning["value"]) > warning["bound"] > 0
+    assert warning["unit"] == "deg"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from itertools import pairwise
 
 import numpy as np
@@ -56,10 +55,10 @@ def results(seeds: int, seed: int = 1) -> xarray.Dataset:
         | {"limit": list(BOUNDS), "at_least": ("limit", low), "at_most": ("limit", high)},
         {
             "title": "made up",
-            "axes": json.dumps(list(axes)),
-            "sea": json.dumps(
-                {"significant_height": "hs", "peak_period": "tp", "direction": "direction_deg"}
-            ),
+            "axes": " ".join(axes),
+            "sea_significant_height": "hs",
+            "sea_peak_period": "tp",
+            "sea_direction": "direction_deg",
             "duration_s": RECORD_S + 60,
             "after_s": 60.0,
             "operation_s": 3 * RECORD_S,

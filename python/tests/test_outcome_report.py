@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import kingpost
@@ -13,6 +12,7 @@ from kingpost.cli import main
 from kingpost.reports import outcomes as outcome_report
 from kingpost.reports import run as report
 from kingpost.reports.outcomes import Outcome
+from kingpost.results import entries
 
 # The barge lies at -0.265 deg; the first two seas leave her within this limit.
 LIMITS = {"trim": {"column": "ship.pitch", "at_least": -0.28, "unit": "deg"}}
@@ -56,7 +56,8 @@ def test_the_file_of_a_seed_has_the_limits_of_that_run(seas, tmp_path):
     assert main(["run", str(seas), "--seeds", "2", "-o", str(tmp_path / "run_*.nc")]) == 0
     alone = kingpost.run(seas, {"simulation.seed": 2})
     found = xarray.load_dataset(tmp_path / "run_2.nc", engine="h5netcdf")
-    assert json.loads(found.attrs["limits"]) == json.loads(alone.attrs["limits"])
+    assert entries.limits_of(found) == entries.limits_of(alone)
+    assert entries.warnings_of(found) == entries.warnings_of(alone)
 
 
 def test_runs_that_fail_are_named_by_their_seeds_beside_the_limits(seas, tmp_path, capsys):
@@ -90,18 +91,28 @@ def test_a_limit_without_evaluated_rows_is_reported_as_such():
     )
 
 
-PARTED = [{"time_s": 67.2913, "element": "hoist_rope", "what": "parts"}]
+PARTED = [{"time_s": 67.2913, "element": "hoist_rope", "code": "parts", "what": "parts"}]
 
 
-def came_of(warnings: list[dict[str, str]]) -> list[str]:
+def told(name: str, text: str, code: str = "made_up", time_s: float = 1.0) -> entries.WarningEntry:
+    """A warning without a number."""
+    return {"time_s": time_s, "code": code, "name": name, "value": None, "bound": None, "unit": "",
+            "text": text}  # fmt: skip
+
+
+def run_of(**made_up: list) -> xarray.Dataset:
+    """A data set of events, warnings and limits alone."""
+    return entries.with_entries(xarray.Dataset(), **made_up)
+
+
+def came_of(warnings: list[entries.WarningEntry]) -> list[str]:
     """The lines of a run in which a rope parted, with a limit."""
-    attributes = {"limits": [limit(1.0, True)], "events": PARTED, "warnings": warnings}
-    run = outcome_report.of_run({name: json.dumps(value) for name, value in attributes.items()}, 1)
+    run = outcome_report.of_run(run_of(limits=[limit(1.0, True)], events=PARTED, warnings=warnings), 1)
     return [line for block in outcome_report.blocks([run]) for line in block]
 
 
 def test_a_parted_rope_is_reported_above_the_limits():
-    shown = came_of([{"name": "hull", "text": "heels"}])
+    shown = came_of([told("hull", "heels")])
     assert shown[0] == "warning: hoist_rope parted at 67.29 s"
     assert shown[1].startswith("limit")
     assert shown[3:] == ["warning: hull: heels"]
@@ -109,8 +120,8 @@ def test_a_parted_rope_is_reported_above_the_limits():
 
 def test_a_rope_that_parts_is_reported_once_with_the_time():
     warned = [
-        {"name": "hull", "text": "heels"},
-        {"time_s": 67.2913, "name": "hoist_rope", "text": "parts: why"},
+        told("hull", "heels"),
+        told("hoist_rope", "parts: why", "parts", 67.2913),
     ]
     shown = came_of(warned)
     assert shown[0] == "warning: hoist_rope parted at 67.29 s: why"
@@ -120,8 +131,8 @@ def test_a_rope_that_parts_is_reported_once_with_the_time():
 
 def test_ropes_that_part_in_several_runs_are_reported_above_the_limits_with_times():
     seconds = (64.35, 63.96)
-    parts = [json.dumps([{"time_s": at_s, "name": "hoist_rope", "text": "parts"}]) for at_s in seconds]
-    runs = [outcome_report.of_run({"warnings": found}, seed) for seed, found in enumerate(parts, 1)]
+    parts = [run_of(warnings=[told("hoist_rope", "parts", "parts", at_s)]) for at_s in seconds]
+    runs = [outcome_report.of_run(found, seed) for seed, found in enumerate(parts, 1)]
     words = (
         "warning, in 2 of 2 runs, from 63.96 (seed 2) to 64.35 (seed 1), first: hoist_rope parted at 64.35 s"
     )
@@ -129,12 +140,12 @@ def test_ropes_that_part_in_several_runs_are_reported_above_the_limits_with_time
 
 
 def test_other_warnings_of_a_rope_that_parted_do_not_hide_it():
-    shown = came_of([{"name": "hoist_rope", "text": "went slack"}])
+    shown = came_of([told("hoist_rope", "went slack")])
     assert shown[0] == "warning: hoist_rope parted at 67.29 s"
     assert shown[-1] == "warning: hoist_rope: went slack"
 
 
-OFF = [{"name": "energy", "text": "is off its balance by 12 kJ, 3 % of the energy in play, 400 kJ"}]
+OFF = [told("energy", "is off by 12 kJ, 3 % of the energy in play, 400 kJ", "energy_off_balance")]
 
 
 def test_limits_of_a_run_with_an_energy_error_are_headed_as_unreliable():
@@ -162,7 +173,7 @@ def test_a_summary_does_not_repeat_the_warning_of_an_energy_error():
 
 def warned(*texts: str) -> list[Outcome]:
     """Runs of the seeds from 1 on, each with one warning of a boom."""
-    return [Outcome(seed, [], [{"name": "boom", "text": text}]) for seed, text in enumerate(texts, 1)]
+    return [Outcome(seed, [], [told("boom", text)]) for seed, text in enumerate(texts, 1)]
 
 
 def test_a_warning_of_several_runs_has_the_range_of_its_first_number():

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 
 import kingpost
@@ -11,6 +10,7 @@ import pytest
 from kingpost.cli import main
 from kingpost.reports import model as model_report
 from kingpost.reports.run import summary
+from kingpost.results import entries
 
 SHORT = {"simulation.duration_s": 0.2}
 
@@ -203,7 +203,7 @@ def test_the_water_carries_a_ship_and_without_it_a_ship_falls():
     falls = ["gravity acts and nothing carries ship: it falls"]
     paper = kingpost.load("paper", {"simulation.duration_s": 0.001}, gravity=True, hold_centre=False)
     assert paper.model["warnings"] == falls
-    assert json.loads(kingpost.run(paper).attrs["model_warnings"]) == falls
+    assert entries.model_warnings_of(kingpost.run(paper)) == falls
     assert kingpost.load("barge").model["warnings"] == []
 
 

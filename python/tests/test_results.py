@@ -97,9 +97,10 @@ def test_every_file_contains_the_table_of_events(tmp_path):
     )
     write(results, tmp_path / "run.csv")
     beside = pandas.read_csv(tmp_path / "run.events.csv", float_precision="round_trip")
-    assert list(beside.columns) == ["event_time", "event_element", "event_what"]
+    assert list(beside.columns) == ["event_time", "event_code", "event_element", "event_what"]
     assert beside["event_time"].tolist() == table["event_time"].values.tolist()
     assert beside["event_what"].tolist() == ["was set"]
+    assert beside["event_code"].tolist() == ["parameter_set"]
 
 
 def test_a_run_without_events_has_an_empty_table_and_no_file_of_events(results, tmp_path):
@@ -107,9 +108,12 @@ def test_a_run_without_events_has_an_empty_table_and_no_file_of_events(results, 
     assert events(results).sizes["event"] == 0
     write(results, tmp_path / "run.csv")
     assert not (tmp_path / "run.events.csv").exists()
-    (tmp_path / "run.events.csv").write_text("event_time,event_element,event_what\n1.0,ball,hit\n")
+    (tmp_path / "run.events.csv").write_text(
+        "event_time,event_code,event_element,event_what\n1.0,hits,ball,hit\n"
+    )
     write(results, tmp_path / "run.csv")
-    assert (tmp_path / "run.events.csv").read_text().splitlines() == ["event_time,event_element,event_what"]
+    (heading,) = (tmp_path / "run.events.csv").read_text().splitlines()
+    assert heading == "event_time,event_code,event_element,event_what"
 
 
 def test_an_unknown_ending_is_refused(results, tmp_path):

@@ -23,9 +23,10 @@ def test_each_file_is_the_run_of_its_seed(tmp_path, capsys) -> None:
     for seed in (1, 3):
         found = xarray.load_dataset(files[seed - 1], engine="h5netcdf")
         alone = kingpost.run("barge", {**SETTINGS, "simulation.seed": seed})
+        # A batch records no events.
+        alone = alone.drop_dims("event")
         xarray.testing.assert_identical(found.drop_attrs(), alone.drop_attrs())
         assert found.attrs["scenario"] == alone.attrs["scenario"]
-        assert found.attrs["warnings"] == alone.attrs["warnings"]
         assert (found.attrs["seed"], found.attrs["status"]) == (seed, "finished")
     files[1].unlink()
     assert main(["run", "barge", *arguments, "--seeds", "3", "--anew", "-o", str(tmp_path / "run_*.nc")]) == 0
@@ -60,7 +61,7 @@ def test_a_finished_file_of_the_same_run_is_kept(tmp_path, capsys, monkeypatch) 
     assert [new == old for new, old in zip(after, before, strict=False)] == [True, False, True]
     alone = kingpost.run("barge", {"waves": True, "simulation.duration_s": 1.0, "simulation.seed": 2})
     found = xarray.load_dataset(files[1], engine="h5netcdf")
-    assert list(found.data_vars) == ["roll"]
+    assert [name for name, of in found.data_vars.items() if "time" in of.dims] == ["roll"]
     np.testing.assert_array_equal(found["roll"].sel(body="ship"), alone["roll"].sel(body="ship"))
     assert main([*arguments, pattern, "--seeds", "4", "--set=significant_height_m=1"]) == 0
     assert "4 replace an older file" in capsys.readouterr().out

@@ -14,7 +14,7 @@ from kingpost.analysis import statistics
 from kingpost.cli import main
 from kingpost.reports import outcomes
 from kingpost.reports import statistics as statistics_report
-from kingpost.results import files
+from kingpost.results import entries, files
 from xarray.backends.h5netcdf_ import H5NetCDFArrayWrapper
 
 
@@ -34,7 +34,7 @@ def recorded(tmp_path, seed: int, duration_s: float = 1800.0, **parameters) -> s
         {"time": time, "body": ["ship"]},
         {
             "title": "a barge",
-            "floating_bodies": json.dumps(["ship"]),
+            "floating_bodies": "ship",
             "scenario": kingpost.load("barge", {"simulation.seed": seed}, **parameters).json,
         },
     )
@@ -164,10 +164,15 @@ def test_a_run_that_ended_early_is_reported(tmp_path, capsys) -> None:
 
 def _warned(values: list[float], **warnings: str) -> xarray.Dataset:
     """Rows of one channel, with what the engine warned of by name."""
-    found = [{"time_s": 1.0, "name": name, "text": text} for name, text in warnings.items()]
-    scenario = {"simulation": {"seed": len(values)}}
-    attrs = {"warnings": json.dumps(found), "scenario": json.dumps(scenario)}
-    return xarray.Dataset({"roll": ("time", values)}, {"time": np.arange(len(values))}, attrs)
+    found = [_warning(name, text) for name, text in warnings.items()]
+    attrs = {"scenario": json.dumps({"simulation": {"seed": len(values)}})}
+    rows = xarray.Dataset({"roll": ("time", values)}, {"time": np.arange(len(values))}, attrs)
+    return entries.with_entries(rows, warnings=found)
+
+
+def _warning(name: str, text: str) -> entries.WarningEntry:
+    return {"time_s": 1.0, "code": "made_up", "name": name, "value": None, "bound": None, "unit": "",
+            "text": text}  # fmt: skip
 
 
 def test_warnings_of_a_run_are_printed() -> None:
@@ -176,12 +181,13 @@ def test_warnings_of_a_run_are_printed() -> None:
 
 
 def test_limits_of_one_run_in_a_file_of_several_are_refused() -> None:
-    """Source: an attack on files: the attributes of several runs are lists with an entry for each."""
+    """Source: an attack on files: limits of several runs have an entry for each."""
     run = kingpost.run("container_to_quay", {"simulation.duration_s": 0.02})
-    several = run.expand_dims(run=[0, 1])
-    assert len(json.loads(run.attrs["limits"])) not in (0, 2)
-    with pytest.raises(KingpostError, match=r"limits: found \d+ entries, allowed: one for each of 2 runs"):
-        outcomes.of_runs([several])
+    several = [run.expand_dims(run=[0, 1]), run.assign_coords(run=[0, 1])]
+    assert run.sizes["limit"] not in (0, 2)
+    for one in several:
+        with pytest.raises(KingpostError, match="found events, warnings or limits of another form"):
+            outcomes.of_runs([one])
 
 
 def test_a_rounding_error_of_a_channel_is_printed_as_0() -> None:
@@ -218,10 +224,10 @@ def test_extremes_of_an_operation_are_those_of_doing_it_once(
 
 
 def test_extremes_of_an_operation_of_a_batch_are_those_of_doing_it_once() -> None:
-    each = [[{"time_s": 1.0, "name": "hull", "text": f"it heeled to {angle} deg"}] for angle in (21, 22)]
-    attrs = {"warnings": json.dumps(each)}
+    each = [[_warning("hull", f"it heeled to {angle} deg")] for angle in (21, 22)]
     coordinates = {"time": [0.0, 1.0], "simulation.seed": ("run", [5, 6])}
-    runs = xarray.Dataset({"roll": (("run", "time"), np.eye(2))}, coordinates, attrs)
+    runs = xarray.Dataset({"roll": (("run", "time"), np.eye(2))}, coordinates)
+    runs = entries.with_entries_of_runs(runs, warnings=each, limits=[[], []])
     words = "warning, in 2 of 2 runs, from 21 (seed 5) to 22 (seed 6), first: hull: it heeled to 21 deg"
     assert words in _text([runs])
 
@@ -276,7 +282,7 @@ def test_all_columns_of_a_variable_are_read_once(tmp_path, monkeypatch) -> None:
     read.clear()
     found = statistics_report.frame([run], 0.0, ["*"])
     assert len(found) > 100
-    assert len(read) == len(set(read)) == len(run.data_vars)
+    assert len(read) == len(set(read)) == sum("time" in variable.dims for variable in run.data_vars.values())
     read.clear()
     statistics_report.frame([run], 0.0, ["ship.roll"])
     assert read == ["roll"]

@@ -44,7 +44,7 @@ def test_a_run_has_the_numbers_that_it_has_alone(slewing) -> None:
         ours = found.statistics.sel(column="ship.roll").isel(run=k)
         for name in ("mean", "standard_deviation", "zero_up_crossing_period", "maximum", "minimum"):
             np.testing.assert_allclose(ours.sel(statistic=name), summary.sel(statistic=name), rtol=1e-12)
-        limit = json.loads(alone.attrs["limits"])[0]
+        limit = alone.kingpost.limits[0]
         assert found.limit_worst.values[k, 0] == limit["worst"]
         assert found.limit_time.values[k, 0] == limit["worst_time_s"] >= SLEWING["after_s"]
         assert found.limit_held.values[k, 0] == limit["held"]

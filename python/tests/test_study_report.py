@@ -104,7 +104,7 @@ def test_many_limiting_heights_are_shown_in_a_table_of_two_axes_and_in_panels() 
     found = xarray.Dataset(
         {"limiting_height_of_all": (dims, heights), "governs": (dims, np.full((3, 10), "roll"))},
         coords={"peak_period_s": [8.0, 8.72727, 10.0], "wave_direction_deg": np.arange(90, 190, 10)},
-        attrs={"acceptance": 0.1, "operation_s": 1800.0, "sea": json.dumps({"peak_period": "peak_period_s"})},
+        attrs={"acceptance": 0.1, "operation_s": 1800.0, "sea_peak_period": "peak_period_s"},
     )
     blocks = limiting.section("none were run", found).blocks
     picture = next(block for block in blocks if isinstance(block, Picture))
@@ -172,7 +172,6 @@ def test_the_report_contains_the_measured_verification(made: tuple[Study, Path, 
     assert "The checks were not run for this report" in page
     row = {"id": "a", "area": "waves", "what": "b", "verdict": "pass", "message": ""}
     rows = [row, row | {"id": "c", "verdict": "FAIL", "message": "off by 1"}]
-    import json
 
     counts = {"pass": 1, "FAIL": 1, "not installed": 0}
     written = json.dumps({"kingpost": "0.1.0", "counts": counts, "rows": rows})

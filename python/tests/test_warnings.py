@@ -11,6 +11,7 @@ import pyarrow.parquet
 import pytest
 from kingpost import results
 from kingpost.cli import main
+from kingpost.results import entries
 
 PENDULUM = """\
 version: 1
@@ -52,7 +53,7 @@ forces: {{gravity: {{gravity: {{}}}}}}
 
 
 def texts(found) -> list[str]:
-    return [f"{warning['name']}: {warning['text']}" for warning in json.loads(found.attrs["warnings"])]
+    return [f"{warning['name']}: {warning['text']}" for warning in entries.warnings_of(found)]
 
 
 @pytest.mark.parametrize("angle", [60, 122])
@@ -83,7 +84,7 @@ def test_a_simulation_that_is_stepped_and_a_batch_have_the_warnings_of_the_run(t
     """Source: the same rows, recorded in one go, by hand, and beside another run."""
     path = tmp_path / "pendulum.yaml"
     path.write_text(PENDULUM.format(angle=122))
-    recorded = json.loads(kingpost.run(path).attrs["warnings"])
+    recorded = entries.warnings_of(kingpost.run(path))
     simulation = kingpost.Simulation(kingpost.load(path))
     assert simulation.warnings == []
     for _ in range(300):
@@ -94,7 +95,9 @@ def test_a_simulation_that_is_stepped_and_a_batch_have_the_warnings_of_the_run(t
     assert simulation.warnings == []
     angle = "bodies.load.joint.universal.first.initial_angle_rad"
     batch = kingpost.Batch(path, {angle: [1.0, 2.129301687433082, 1.1]}).run()
-    assert json.loads(batch.attrs["warnings"]) == [[], recorded, []]
+    assert entries.warnings_of_runs(batch) == [[], recorded, []]
+    assert batch.warning_run.values.tolist() == [1] * len(recorded)
+    assert entries.warnings_of(batch.isel(run=1)) == recorded
 
 
 STEP = "simulation.step_s"
@@ -135,7 +138,8 @@ def test_a_notebook_a_command_line_and_files_have_the_same_warnings_of_a_run(tmp
     for name in ("run.nc", "run_2.nc"):
         assert texts(results.read(tmp_path / name)) == told
     metadata = pyarrow.parquet.read_schema(tmp_path / "run.parquet").metadata
-    assert metadata[b"warnings"].decode() == found[0].attrs["warnings"]
+    assert json.loads(metadata[b"entries"]) == json.loads(entries.as_json(found[0]))
+    assert json.loads(metadata[b"entries"])["warnings"] == entries.warnings_of(found[0])
     beside = pandas.read_csv(tmp_path / "run.warnings.csv")
     assert [f"{row.warning_name}: {row.warning_text}" for row in beside.itertuples()] == told
 
