@@ -108,12 +108,10 @@ def test_a_run_without_events_has_an_empty_table_and_no_file_of_events(results, 
     assert events(results).sizes["event"] == 0
     write(results, tmp_path / "run.csv")
     assert not (tmp_path / "run.events.csv").exists()
-    (tmp_path / "run.events.csv").write_text(
-        "event_time,event_code,event_element,event_what\n1.0,hits,ball,hit\n"
-    )
+    heading = "event_time,event_code,event_element,event_what"
+    (tmp_path / "run.events.csv").write_text(f"{heading}\n1.0,hits,ball,hit\n")
     write(results, tmp_path / "run.csv")
-    (heading,) = (tmp_path / "run.events.csv").read_text().splitlines()
-    assert heading == "event_time,event_code,event_element,event_what"
+    assert (tmp_path / "run.events.csv").read_text().splitlines() == [heading]
 
 
 def test_an_unknown_ending_is_refused(results, tmp_path):

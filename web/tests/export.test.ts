@@ -54,8 +54,8 @@ describe("a CSV file", () => {
   });
 
   it("a CSV file of events has texts in quotes if they need quotes", () => {
-    expect(eventsAsCsv([{ time_s: 2, name: "deck", text: 'slides, then "stops"' }])).toBe(
-      'event_time,event_element,event_what\n2.0,deck,"slides, then ""stops"""\n',
+    expect(eventsAsCsv([{ time_s: 2, code: "slides", name: "deck", text: 'slides, then "stops"' }])).toBe(
+      'event_time,event_code,event_element,event_what\n2.0,slides,deck,"slides, then ""stops"""\n',
     );
   });
 });

@@ -72,7 +72,7 @@ export class FakeEngine implements Engine {
   }
 
   warnings_json(): string {
-    return JSON.stringify(this.time_s() > 1 ? [{ time_s: 1, name: "painter", text: "it is taut" }] : []);
+    return JSON.stringify(this.time_s() > 1 ? [{ time_s: 1, code: "taut", name: "painter", value: null, bound: null, unit: "", text: "it is taut" }] : []);
   }
 
   lines_json(): string {

@@ -1,7 +1,7 @@
 import { expect, it } from "vitest";
 import { marksOf, wordsNear } from "../src/ui/marks";
 
-const at = (time_s: number, text = "taut") => ({ time_s, name: "rope", text });
+const at = (time_s: number, text = "taut") => ({ time_s, code: "comes_taut", name: "rope", text });
 
 it("events are marked along the track, and close events share a mark", () => {
   const marks = marksOf([at(0), at(5), at(5.01, "slack"), at(10)], 0, 20);

@@ -129,7 +129,7 @@ describe("a recording", () => {
   });
 
   it("a recording drops data after a moment, and keeps earlier warnings when the engine's list starts again", () => {
-    const warn = (time_s: number) => ({ time_s, name: "rope", text: `slack at ${time_s}` });
+    const warn = (time_s: number) => ({ time_s, code: "slack", name: "rope", unit: "", text: `slack at ${time_s}` });
     const run = recording();
     for (let i = 1; i <= 30; i++) run.add(frameAt(0.1 * i, true, { keyframes: [keyframe(0.1 * i)], warnings: [warn(0.5), warn(2)].filter(({ time_s }) => time_s <= 0.1 * i) }), {});
     run.dropAfter(frameAt(run.nearest(1), false));
@@ -193,13 +193,19 @@ describe("the engine's frames", () => {
     const engine: Engine = new FakeEngine();
     engine.lever_moves_json = () => JSON.stringify([0.1, 0.2, 3].map((time_s) => ({ time_s, input: "hoist", value: -time_s })));
     const runner = new Runner(() => engine, () => 0);
-    const moves = [{ time_s: 0.2, name: "hoist", text: "set to -0.2 by hand" }, { time_s: 3, name: "hoist", text: "set to -3 by hand" }];
+    const moves = [-0.2, -3].map((value) => ({ time_s: -value, code: "input_set", name: "hoist", text: `set to ${value} by hand` }));
     runner.open("text", "file.yaml", {});
     expect(runner.step().events).toEqual(moves);
-    const happened = Array.from({ length: 70 }, (_, k) => ({ time_s: k, element: k ? "deck" : "rope", what: k ? "slides" : "goes slack" }));
+    const happened = Array.from({ length: 70 }, (_, k) => ({
+      ...(k ? { element: "deck", code: "slides", what: "slides" } : { element: "rope", code: "goes_slack", what: "goes slack" }),
+      time_s: k,
+    }));
     const asked: number[] = [];
     engine.events_json = (first) => (asked.push(first), JSON.stringify(happened.slice(first, first + 60)));
-    expect(runner.step().events.slice(0, 2)).toEqual([{ time_s: 0, name: "rope", text: "goes slack" }, { time_s: 1, name: "deck", text: "slides" }]);
+    expect(runner.step().events.slice(0, 2)).toEqual([
+      { time_s: 0, code: "goes_slack", name: "rope", text: "goes slack" },
+      { time_s: 1, code: "slides", name: "deck", text: "slides" },
+    ]);
     // A repeated event is listed 50 times; only new events are requested until the run goes back.
     expect(runner.step().events.length).toBe(51 + moves.length);
     runner.restore(runner.snapshot());

@@ -102,7 +102,7 @@ describe("the runner", () => {
     const { runner } = opened(new FakeEngine());
     expect(runner.step().warnings).toEqual([]);
     for (let i = 0; i < 100; i++) runner.step();
-    expect(runner.step().warnings).toEqual([{ time_s: 1, name: "painter", text: "it is taut" }]);
+    expect(runner.step().warnings).toEqual([{ time_s: 1, code: "taut", name: "painter", value: null, bound: null, unit: "", text: "it is taut" }]);
   });
 
   it("the runner keeps its engine when another scenario does not open", () => {

@@ -1,13 +1,18 @@
 import { texts } from "../texts";
 import { answer } from "./answers";
-import type { Engine, Warning } from "./engine";
-import type { LeverMove } from "./messages";
+import type { Engine } from "./engine";
+import type { Happened, LeverMove } from "./messages";
 
 export interface EventRecord {
   time_s: number;
   element: string;
+  /** Kind of event, in words joined by `_`. */
+  code: string;
   what: string;
 }
+
+/** Code of a lever move. */
+const BY_HAND = "input_set";
 
 /** Largest interval between two moves of one lever in one drag, s. */
 const ONE_MOVE_S = 1;
@@ -18,27 +23,27 @@ const MOST_ALIKE = 50;
 /** Events of a run so far, and moves of levers by hand. */
 export class Events {
   private seen = 0;
-  private readonly kept: Warning[] = [];
+  private readonly kept: Happened[] = [];
   private readonly alike = new Map<string, number>();
 
   /** Returns all events and lever moves so far; asks the engine only for new events. */
-  of(engine: Engine): Warning[] {
+  of(engine: Engine): Happened[] {
     const fresh = answer(engine, "events_json", this.seen);
     this.seen += fresh.length;
     fresh.forEach((happened) => this.keep(happened));
     return [...this.kept, ...answer(engine, "lever_moves_json").filter(isEnd).map(byHand)];
   }
 
-  private keep({ time_s, element, what }: EventRecord): void {
+  private keep({ time_s, element, code, what }: EventRecord): void {
     const key = `${element} ${what}`;
     const count = (this.alike.get(key) ?? 0) + 1;
     this.alike.set(key, count);
-    if (count <= MOST_ALIKE) this.kept.push({ time_s, name: element, text: what });
+    if (count <= MOST_ALIKE) this.kept.push({ time_s, code, name: element, text: what });
   }
 }
 
-function byHand({ time_s, input, value }: LeverMove): Warning {
-  return { time_s, name: input, text: texts.scrubber.by_hand(Number(value.toPrecision(4))) };
+function byHand({ time_s, input, value }: LeverMove): Happened {
+  return { time_s, code: BY_HAND, name: input, text: texts.scrubber.by_hand(Number(value.toPrecision(4))) };
 }
 
 /** Whether a move is the last of one drag: no move of the same input follows within ONE_MOVE_S. */

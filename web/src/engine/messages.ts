@@ -29,6 +29,14 @@ export type Request =
   | { kind: "parameter"; name: string; value: Value };
 
 /** A move of a lever by hand. */
+/** An event or a lever move, in the form of a warning. */
+export interface Happened {
+  time_s: number;
+  code: string;
+  name: string;
+  text: string;
+}
+
 export interface LeverMove {
   time_s: number;
   input: string;
@@ -65,7 +73,7 @@ export interface Frame {
   /** Warnings from the rows so far. */
   warnings: Warning[];
   /** Events of the run so far, and inputs set by hand. */
-  events: Warning[];
+  events: Happened[];
   /** Whether the requested recording time is not yet reached, because the time budget of a frame was used up. */
   isPart: boolean;
   /** The reason why the run cannot go on. */

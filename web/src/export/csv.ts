@@ -1,3 +1,5 @@
+import type { Happened } from "../engine/messages";
+
 /** Tables as `kingpost run -o FILE.csv` writes them: each number is read back to the same bits. */
 
 /** Largest number of digits before the decimal point, and of zeros after it, without a power of ten. */
@@ -33,7 +35,7 @@ export function* rowsAsCsv(names: readonly string[], rows: Iterable<ArrayLike<nu
 }
 
 /** Writes the events as a table, as `kingpost run` writes it next to a CSV file. */
-export function eventsAsCsv(events: readonly { time_s: number; name: string; text: string }[]): string {
-  const lines = events.map(({ time_s, name, text }) => `${written(time_s)},${cell(name)},${cell(text)}\n`);
-  return `event_time,event_element,event_what\n${lines.join("")}`;
+export function eventsAsCsv(events: readonly Happened[]): string {
+  const lines = events.map(({ time_s, code, name, text }) => `${written(time_s)},${cell(code)},${cell(name)},${cell(text)}\n`);
+  return `event_time,event_code,event_element,event_what\n${lines.join("")}`;
 }

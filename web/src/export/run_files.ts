@@ -1,5 +1,7 @@
 import { stemOf } from "../app/saved";
 import type { Run, Session } from "../app/session";
+import type { Warning } from "../engine/engine";
+import type { Happened } from "../engine/messages";
 import { eventsAsCsv, rowsAsCsv, written } from "./csv";
 import { parquetOf } from "./parquet";
 import { gathered, keptOf } from "./rows";
@@ -13,6 +15,7 @@ export interface MadeFile {
 
 /** Values of attributes, equal to those in results of the Python package. */
 const FINISHED = "finished";
+const MODEL = "model";
 const AXES = "world: z up, x forward, y to port; body: at its centre of mass, ship x forward, y to port";
 
 /** Makes files of the recording of the present run. */
@@ -64,10 +67,8 @@ export class RunFiles {
       ...(scenario ? { scenario, seed: seedOf(scenario) } : {}),
       gravity_m_s2: written(model.gravity_m_s2),
       water_density_kg_m3: written(model.sea?.density_kg_m3 ?? 0),
-      floating_bodies: JSON.stringify(bodies),
-      model_warnings: JSON.stringify(model.warnings),
-      events: JSON.stringify(events.map(({ time_s, name, text }) => ({ time_s, element: name, what: text }))),
-      warnings: JSON.stringify(warnings),
+      floating_bodies: bodies.join(" "),
+      entries: entriesOf(model.warnings, warnings, events),
       axes: AXES,
       ...(recorded > rows.length ? { thinned: `${rows.length} of about ${recorded} rows` } : {}),
     };
@@ -78,6 +79,19 @@ export class RunFiles {
     if (status === "stopped" && fault) return fault.message;
     return shown.recording!.now.time_s >= duration_s - 1e-9 ? FINISHED : `paused at ${shown.recording!.now.time_s} s`;
   }
+}
+
+/**
+ * Returns events and warnings as JSON, with the fields of `kingpost.results.entries`. Limits are left out: the page does
+ * not ask the engine for them.
+ */
+export function entriesOf(ofModel: readonly string[], warnings: readonly Warning[], events: readonly Happened[]): string {
+  const before = ofModel.map((text) => ({ time_s: null, code: MODEL, name: "", value: null, bound: null, unit: "", text }));
+  const inRun = warnings.map(({ time_s, code, name, value, bound, unit, text }) => ({
+    time_s, code, name, value: value ?? null, bound: bound ?? null, unit, text,
+  }));
+  const happened = events.map(({ time_s, code, name, text }) => ({ time_s, element: name, code, what: text }));
+  return JSON.stringify({ events: happened, warnings: [...before, ...inRun] });
 }
 
 /** Returns the seed of a resolved scenario as it is written in the text: JSON.parse would round a seed beyond 2^53. */

@@ -1,5 +1,5 @@
 import { fixed } from "../app/format";
-import type { Warning } from "../engine/engine";
+import type { Happened } from "../engine/messages";
 import { texts } from "../texts";
 
 /** Largest distance of events that share one mark, as a share of the track. */
@@ -15,10 +15,10 @@ export interface Mark {
 }
 
 /** Returns the marks of events, in order of time; events that are close together on the track share one mark. */
-export function marksOf(happened: readonly Warning[], from_s: number, to_s: number): Mark[] {
+export function marksOf(happened: readonly Happened[], from_s: number, to_s: number): Mark[] {
   const length_s = to_s - from_s;
   if (length_s <= 0) return [];
-  const together: { share: number; all: Warning[] }[] = [];
+  const together: { share: number; all: Happened[] }[] = [];
   for (const one of happened) {
     const share = Math.min(1, Math.max(0, (one.time_s - from_s) / length_s));
     const last = together.at(-1);
@@ -28,7 +28,7 @@ export function marksOf(happened: readonly Warning[], from_s: number, to_s: numb
   return together.map(({ share, all }) => ({ share, words: wordsOf(all) }));
 }
 
-function wordsOf(all: Warning[]): string {
+function wordsOf(all: Happened[]): string {
   const words = all.slice(0, MOST_WORDS).map(({ time_s, name, text }) => `${fixed(time_s, 2)} s, ${name}: ${text}`);
   return [...words, ...(all.length > MOST_WORDS ? [texts.scrubber.more(all.length - MOST_WORDS)] : [])].join("\n");
 }

@@ -98,14 +98,17 @@ const exporting = cases([DESKTOP, PHONE], (viewport) => viewport === DESKTOP).ma
 function comparedWithPython(files) {
   const code = `
 import json, pandas, pyarrow.parquet, kingpost
-from kingpost.results import frame, write
+from kingpost.results import entries, frame, write
 found = kingpost.run("paper", {"simulation.duration_s": 0.3})
 write(found, "python.csv")
 assert open("python.csv").read() == open("app.csv").read(), "csv"
 pandas.testing.assert_frame_equal(pandas.read_parquet("app.parquet"), frame(found), check_exact=True)
 about = {key.decode(): value.decode() for key, value in pyarrow.parquet.read_schema("app.parquet").metadata.items()}
-for name in ("title", "gravity_m_s2", "water_density_kg_m3", "floating_bodies", "model_warnings", "axes", "seed"):
+for name in ("title", "gravity_m_s2", "water_density_kg_m3", "floating_bodies", "axes", "seed"):
     assert about[name] == str(found.attrs[name]), (name, about[name])
+theirs = json.loads(about["entries"])
+ours = json.loads(entries.as_json(found))
+assert theirs == {name: ours[name] for name in ("events", "warnings")}, theirs
 print("same")
 `;
   assert.equal(python(code, files).trim(), "same");

@@ -1,13 +1,13 @@
-import type { Warning } from "../../engine/engine";
+import type { Happened } from "../../engine/messages";
 
 /** Warnings or events of a run. They are kept when the engine goes back in time and starts its list again. */
-export class Noted {
-  private kept: readonly Warning[] = [];
-  all: readonly Warning[] = [];
-  private heard: readonly Warning[] = [];
+export class Noted<One extends Happened> {
+  private kept: readonly One[] = [];
+  all: readonly One[] = [];
+  private heard: readonly One[] = [];
 
   /** Takes the engine's present list. */
-  hear(list: readonly Warning[]): void {
+  hear(list: readonly One[]): void {
     const isSame = list.length === this.heard.length && list.every((one, i) => isOne(one, this.heard[i]));
     if (isSame) return;
     this.heard = list;
@@ -21,5 +21,5 @@ export class Noted {
   }
 }
 
-const keyOf = ({ time_s, name, text }: Warning) => `${time_s} ${name} ${text}`;
-const isOne = (a: Warning, b: Warning) => a.time_s === b.time_s && a.name === b.name && a.text === b.text;
+const keyOf = ({ time_s, name, text }: Happened) => `${time_s} ${name} ${text}`;
+const isOne = (a: Happened, b: Happened) => a.time_s === b.time_s && a.name === b.name && a.text === b.text;

@@ -1,6 +1,6 @@
 import type { Columns } from "../../engine/columns";
 import type { Values, Warning } from "../../engine/engine";
-import type { Frame, LeverMove, Snapshot } from "../../engine/messages";
+import type { Frame, Happened, LeverMove, Snapshot } from "../../engine/messages";
 import type { Surface } from "../../engine/surface";
 import { between, posesBetween } from "./between";
 import { Noted } from "./noted";
@@ -53,9 +53,9 @@ export class Recording {
   readonly rows: Series<Recorded>;
   private readonly pictures: Series<PictureAtSea>;
   private readonly keyframes: Series<Keyframe>;
-  private readonly told = { warnings: new Noted(), events: new Noted() };
+  private readonly told = { warnings: new Noted<Warning>(), events: new Noted<Happened>() };
   private moves: LeverMove[] = [];
-  private merged: { from: (readonly Warning[])[]; marks: readonly Warning[] } = { from: [], marks: [] };
+  private merged: { from: (readonly Happened[])[]; marks: readonly Happened[] } = { from: [], marks: [] };
   /** The newest moment; its time need not be a recording time. */
   now: Moment;
 
@@ -111,13 +111,13 @@ export class Recording {
   }
 
   /** Events, and inputs set by hand. */
-  get events(): readonly Warning[] {
+  get events(): readonly Happened[] {
     return this.told.events.all;
   }
 
   /** Events and warnings, in order of time. */
-  get marks(): readonly Warning[] {
-    const from = [this.told.warnings.all, this.told.events.all];
+  get marks(): readonly Happened[] {
+    const from: (readonly Happened[])[] = [this.told.warnings.all, this.told.events.all];
     // Every picture reads this list: it is rebuilt only if there is something new.
     if (from.some((list, i) => list !== this.merged.from[i])) {
       this.merged = { from, marks: from.flat().sort((a, b) => a.time_s - b.time_s) };
