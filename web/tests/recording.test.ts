@@ -129,7 +129,7 @@ describe("a recording", () => {
   });
 
   it("a recording drops data after a moment, and keeps earlier warnings when the engine's list starts again", () => {
-    const warn = (time_s: number) => ({ time_s, code: "slack", name: "rope", unit: "", text: `slack at ${time_s}` });
+    const warn = (time_s: number) => ({ time_s, code: "slack", name: "rope", value: null, bound: null, unit: "", text: `slack at ${time_s}` });
     const run = recording();
     for (let i = 1; i <= 30; i++) run.add(frameAt(0.1 * i, true, { keyframes: [keyframe(0.1 * i)], warnings: [warn(0.5), warn(2)].filter(({ time_s }) => time_s <= 0.1 * i) }), {});
     run.dropAfter(frameAt(run.nearest(1), false));

@@ -87,11 +87,8 @@ export class RunFiles {
  */
 export function entriesOf(ofModel: readonly string[], warnings: readonly Warning[], events: readonly Happened[]): string {
   const before = ofModel.map((text) => ({ time_s: null, code: MODEL, name: "", value: null, bound: null, unit: "", text }));
-  const inRun = warnings.map(({ time_s, code, name, value, bound, unit, text }) => ({
-    time_s, code, name, value: value ?? null, bound: bound ?? null, unit, text,
-  }));
   const happened = events.map(({ time_s, code, name, text }) => ({ time_s, element: name, code, what: text }));
-  return JSON.stringify({ events: happened, warnings: [...before, ...inRun] });
+  return JSON.stringify({ events: happened, warnings: [...before, ...warnings] });
 }
 
 /** Returns the seed of a resolved scenario as it is written in the text: JSON.parse would round a seed beyond 2^53. */

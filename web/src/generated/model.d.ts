@@ -719,9 +719,25 @@ export interface Warning {
    */
   time_s: number;
   /**
+   * Cause of the warning, in words joined by `_`; all warnings with this cause have the same code.
+   */
+  code: string;
+  /**
    * Name of the joint, closed loop, body or element that it concerns.
    */
   name: string;
+  /**
+   * The value that exceeds its bound, in `unit`; absent if the warning has no number.
+   */
+  value: number | null;
+  /**
+   * The bound of the value, in `unit`.
+   */
+  bound: number | null;
+  /**
+   * Unit of `value` and `bound`.
+   */
+  unit: string;
   /**
    * The text of the warning.
    */
