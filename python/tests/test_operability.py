@@ -252,7 +252,10 @@ def test_mean_periods_become_peak_periods() -> None:
     [
         (lambda r: r.isel(run=r["seed"].values <= 4), "seeds: found 4, allowed: 5 or more"),
         (lambda r: r.isel(run=slice(1, None)), "axes: found 143 runs of which the axes' values make 144"),
-        (lambda r: r.assign_attrs(sea="{}"), "significant height: found no axis of it among hs, tp"),
+        (
+            lambda r: r.assign_attrs(sea_significant_height=""),
+            "significant height: found no axis of it among hs, tp",
+        ),
         (lambda r: r.assign(status=r["status"] - (r["run"] < 7)), "runs: found 7 that have not run"),
         (lambda r: r.assign_attrs(acceptance=0.0), "acceptance: found 0, allowed: between"),
     ],
@@ -269,7 +272,7 @@ def test_missing_values_of_axes_and_a_missing_direction_are_reported() -> None:
         LimitingSea.of(two)
     assert LimitingSea.of(two, at={"load_t": 20.0})(8.0, 3.0)[0] > 0
     with pytest.raises(KingpostError, match="peak period: found no axis of it among tp, direction_deg"):
-        LimitingSea.of(found.assign_attrs(sea="{}"))
+        LimitingSea.of(found.assign_attrs(sea_peak_period=""))
     with pytest.raises(KingpostError, match="direction: found none in the scatter table"):
         operability(scatter.parse("hs,tp\n1,8\n"), curve)
 
