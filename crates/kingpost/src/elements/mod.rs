@@ -34,6 +34,7 @@ mod layout;
 pub mod lines;
 mod mean_heading;
 pub mod motion_reference_unit;
+mod moved_mass;
 pub mod operation;
 pub mod policy;
 pub mod quadratic_damping;
@@ -85,6 +86,7 @@ pub use layout::{Layout, Signal, StateSlices, Steer, UnknownSignal, Watched, Wir
 pub use lines::{CatenaryLine, SpringLine};
 pub use mean_heading::MeanHeading;
 pub use motion_reference_unit::{HeaveFilter, MotionReferenceUnit};
+pub use moved_mass::MovedMass;
 pub use operation::Operation;
 pub use policy::{Policy, PolicyLayer, PolicyRead, PolicySteer};
 pub use quadratic_damping::QuadraticDamping;

@@ -19,6 +19,7 @@ mod inextensible_ropes;
 mod linear_check;
 mod load_charts;
 mod motion_compensation;
+mod omitted_line_dynamics;
 mod operations;
 mod policies;
 mod replays;

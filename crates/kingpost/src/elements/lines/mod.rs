@@ -4,6 +4,7 @@ pub(crate) mod assembly;
 mod catenary;
 mod catenary_line;
 pub(crate) mod fields;
+mod left_out;
 mod spring_line;
 
 pub use catenary::{Catenary, EndForce, Span};
