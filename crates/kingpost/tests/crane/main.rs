@@ -16,6 +16,7 @@ mod entrained_water;
 mod heave_compensation;
 mod inertial_unit;
 mod inextensible_ropes;
+mod line_dynamics;
 mod linear_check;
 mod load_charts;
 mod motion_compensation;

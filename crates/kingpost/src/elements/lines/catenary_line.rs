@@ -1,7 +1,7 @@
 //! A mooring line to an anchor, by the quasi-static catenary.
 
 use super::catenary::{Catenary, EndForce, Span};
-use super::{declaration, place, pull_at, shares};
+use super::{declaration_of_line, place, pull_at, shares};
 use crate::dynamics::{LinkKinematics, Loads};
 use crate::elements::{Context, Declaration, Element, MovedMass, Support};
 use crate::model::{Attachment, Model};
@@ -33,7 +33,7 @@ impl<S: Scalar> Element<S> for CatenaryLine<S> {
     }
 
     fn declare(&self) -> Declaration {
-        declaration(&self.name)
+        declaration_of_line(&self.name)
     }
 
     /// Adds the pull at the fairlead.
