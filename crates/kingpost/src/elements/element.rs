@@ -1,6 +1,8 @@
 //! The trait of all elements: parts that act on the model or read it.
 
-use super::{AnyWatcher, Context, Declaration, Occurrence, PresentSupport, RegularWaves, ShownWaves, Support};
+use super::{
+    AnyWatcher, Context, Declaration, MovedMass, Occurrence, PresentSupport, RegularWaves, ShownWaves, Support,
+};
 use crate::dynamics::{Clock, Kinematics, Loads, UnilateralConstraint};
 use crate::scalar::Scalar;
 use crate::world::World;
@@ -152,6 +154,12 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
     /// only through the motions.
     fn shown_waves(&self, _bodies: &Kinematics<S>) -> Vec<(usize, ShownWaves<S>)> {
         Vec::new()
+    }
+
+    /// Returns a warning of effects that the element leaves out and that are not small at the start of a run, with their
+    /// size; `moved` is the mass that moves with each body.
+    fn left_out(&mut self, _at: &Context<'_, S>, _moved: &MovedMass) -> Option<String> {
+        None
     }
 
     /// Returns a text on the effects of this element that a linearization about rest neglects, such as drag quadratic

@@ -3,6 +3,7 @@
 mod between_steps;
 mod element_contexts;
 mod holding;
+mod left_out;
 mod observation;
 mod sea;
 mod settling;

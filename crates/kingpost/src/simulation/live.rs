@@ -16,6 +16,11 @@ impl Simulation {
         &self.plant.world
     }
 
+    /// Returns warnings of effects that elements leave out and that are not small in the present state.
+    pub fn left_out(&mut self) -> Vec<String> {
+        self.plant.left_out(stage(self.interval(), &self.state))
+    }
+
     /// Continues from the present state with the parameters of another simulation of the same structure.
     /// Time, q, v, s, d and the modes of elements are kept, unless elements set them again; the integrator
     /// restarts, because its memory belongs to the old parameters. The change of energy and momentum is

@@ -1,9 +1,9 @@
 //! A mooring line to an anchor, by the quasi-static catenary.
 
 use super::catenary::{Catenary, EndForce, Span};
-use super::{declaration, place, pull_at, shares};
+use super::{declaration_of_line, place, pull_at, shares};
 use crate::dynamics::{LinkKinematics, Loads};
-use crate::elements::{Context, Declaration, Element, Support};
+use crate::elements::{Context, Declaration, Element, MovedMass, Support};
 use crate::model::{Attachment, Model};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
@@ -33,7 +33,7 @@ impl<S: Scalar> Element<S> for CatenaryLine<S> {
     }
 
     fn declare(&self) -> Declaration {
-        declaration(&self.name)
+        declaration_of_line(&self.name)
     }
 
     /// Adds the pull at the fairlead.
@@ -70,6 +70,10 @@ impl<S: Scalar> Element<S> for CatenaryLine<S> {
         [Support::Carries(ends), Support::Station(ends)].into_iter().chain(ties).collect()
     }
 
+    fn left_out(&mut self, at: &Context<'_, S>, _moved: &MovedMass) -> Option<String> {
+        self.dynamics_left_out(at)
+    }
+
     /// Returns the energy of its weight and stretch, J.
     fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let (way, span) = self.way(at.model, at.links);
@@ -86,7 +90,7 @@ impl<S: Scalar> CatenaryLine<S> {
     }
 
     /// Returns the vector from the fairlead to the anchor in the world, and the span of the line, m.
-    fn way(&self, model: &Model<S>, links: &LinkKinematics<S>) -> (Vector3<S>, Span<S>) {
+    pub(super) fn way(&self, model: &Model<S>, links: &LinkKinematics<S>) -> (Vector3<S>, Span<S>) {
         let way = self.anchor - place(&self.fairlead, model, links);
         let square = way[0] * way[0] + way[1] * way[1];
         let nearest = self.line.unstretched_length * S::constant(NEAREST);

@@ -4,6 +4,7 @@ pub(crate) mod assembly;
 mod catenary;
 mod catenary_line;
 pub(crate) mod fields;
+mod left_out;
 mod spring_line;
 
 pub use catenary::{Catenary, EndForce, Span};
@@ -20,13 +21,13 @@ use crate::spatial::{Vector3, Wrench};
 const POINTS: usize = 49;
 
 /// Returns the declaration of every line: its tensions and its drawn line.
-fn declaration(name: &str) -> Declaration {
+pub(super) fn declaration_of_line(name: &str) -> Declaration {
     let drawn = DrawnLine { name: name.to_owned(), style: LineStyle::Line, radius_m: 0.0, points: POINTS };
     Declaration { outputs: outputs(name), lines: vec![drawn], ..Declaration::default() }
 }
 
 /// Returns the shares of a line's length, from its first end, at which its points are drawn.
-fn shares<S: Scalar>() -> impl Iterator<Item = S> {
+pub(super) fn shares<S: Scalar>() -> impl Iterator<Item = S> {
     (0..POINTS).map(|i| S::constant(i as f64 / (POINTS - 1) as f64))
 }
 

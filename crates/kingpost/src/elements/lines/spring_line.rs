@@ -1,6 +1,6 @@
 //! A weightless line between two points: a mooring hawser, a towline, a tugger line.
 
-use super::{declaration, place, pull_at, shares, velocity};
+use super::{declaration_of_line, place, pull_at, shares, velocity};
 use crate::dynamics::Loads;
 use crate::elements::{Context, Declaration, Element, PresentSupport, Support, hunt_crossley};
 use crate::model::Attachment;
@@ -37,7 +37,7 @@ impl<S: Scalar> Element<S> for SpringLine<S> {
     }
 
     fn declare(&self) -> Declaration {
-        declaration(&self.name)
+        declaration_of_line(&self.name)
     }
 
     /// Adds the pull at both ends and the line's heat.

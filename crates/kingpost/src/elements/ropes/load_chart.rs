@@ -109,7 +109,7 @@ impl<S: Scalar> RopePath<S> {
     }
 
     /// Returns the body at the load's end of the leg between crane and load; `Some(None)` is the world.
-    fn load(&self) -> Option<Option<usize>> {
+    pub(super) fn load(&self) -> Option<Option<usize>> {
         let (leg, runs_up) = self.leaving_leg()?;
         Some(self.stations()[leg + usize::from(!runs_up)].centre.body)
     }

@@ -6,6 +6,7 @@ pub(crate) mod fields;
 mod inextensible;
 mod leads;
 mod load_chart;
+mod longitudinal;
 mod path;
 mod release;
 mod station;
@@ -16,6 +17,7 @@ mod weight;
 pub use drum::{Drum, Layers};
 pub use inextensible::Inextensible;
 pub use load_chart::LoadChart;
+pub use longitudinal::LoadedBar;
 pub use path::{PathLength, RopePath};
 pub use station::{Efficiency, Round, Station};
 pub use tugger_line::TuggerLine;
@@ -23,8 +25,8 @@ pub use weight::RopeWeight;
 
 use crate::dynamics::Loads;
 use crate::elements::{
-    AnyWatcher, Context, Crossing, Declaration, DrawnLine, Element, ElementState, Event, Holding, LineStyle, Output,
-    PresentSupport, Support,
+    AnyWatcher, Context, Crossing, Declaration, DrawnLine, Element, ElementState, Event, Holding, LineStyle, MovedMass,
+    Output, PresentSupport, Support,
 };
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
@@ -241,6 +243,10 @@ impl<S: Scalar> Element<S> for Rope<S> {
         let of_rest = |weight: S| weight.select_below(f64::MIN_POSITIVE, || S::ZERO, || last / weight);
         out.extend(self.carried_mass.map(|mass| of_rest(mass * at.world.gravity)));
         out.extend(self.on_chart(at, &now).into_iter().flatten());
+    }
+
+    fn left_out(&mut self, at: &Context<'_, S>, moved: &MovedMass) -> Option<String> {
+        self.inertia_left_out(at, moved)
     }
 
     fn watchers(&self) -> Vec<AnyWatcher> {

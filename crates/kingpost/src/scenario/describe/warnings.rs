@@ -33,6 +33,11 @@ fn falls(model: &Model, falling: &[usize]) -> Vec<String> {
     falling.iter().take(MOST_NAMED).map(of).chain(rest).collect()
 }
 
+/// Warns of effects that elements leave out and that are not small at the start of the run.
+pub fn of_left_out(setup: &Setup) -> Vec<String> {
+    Simulation::recursive_with(setup.clone(), false).left_out()
+}
+
 /// Warns of feedback that makes a mode unstable, by the linear check at the start of the run.
 pub fn of_feedback(setup: &Setup) -> Option<String> {
     setup.elements.iter().find_map(|element| element.linear_law())?;

@@ -129,6 +129,28 @@ impl<S: Scalar> WaveField<S> {
         self.waves.is_empty()
     }
 
+    /// Returns the frequency below which this share of the variance of the elevation lies, rad/s; `None` without waves.
+    ///
+    /// ```
+    /// use kingpost::sea::waves::{Water, WaveComponent, WaveField};
+    /// let water = Water::default();
+    /// let waves = [0.5, 1.0].map(|omega| WaveComponent::in_water(&water, 1.0, omega, 0.0, 0.0));
+    /// let field = WaveField::new(&waves, water, 0.0);
+    /// assert_eq!((field.frequency_at(0.4), field.frequency_at(0.6)), (Some(0.5), Some(1.0)));
+    /// ```
+    pub fn frequency_at(&self, share: f64) -> Option<f64> {
+        let plain = |wave: &WaveComponent<S>| (wave.angular_frequency_rad_s.value(), wave.amplitude_m.value());
+        let mut waves: Vec<(f64, f64)> = self.waves.iter().map(plain).collect();
+        waves.sort_by(|one, other| one.0.total_cmp(&other.0));
+        let total: f64 = waves.iter().map(|(_, amplitude)| amplitude * amplitude).sum();
+        let mut sum = 0.0;
+        let reaches = |&&(_, amplitude): &&(f64, f64)| {
+            sum += amplitude * amplitude;
+            sum >= share * total
+        };
+        waves.iter().find(reaches).map(|(frequency, _)| *frequency).filter(|_| total > 0.0)
+    }
+
     /// Returns the waves, in the order of [`Self::phasors`].
     pub fn components(&self) -> impl ExactSizeIterator<Item = &WaveComponent<S>> {
         self.waves.iter()
