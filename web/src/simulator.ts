@@ -36,7 +36,7 @@ import { Scrubber } from "./ui/scrubber";
 import { Settings } from "./ui/settings";
 import { enableSwitcher } from "./ui/switcher";
 import { Transport } from "./ui/transport";
-import { showWarnings } from "./ui/warnings";
+import { showModelWarnings, showWarnings } from "./ui/warnings";
 import { LinkNotice } from "./share/notice";
 import { enableSharing } from "./share/share";
 import { createScene } from "./view/scene";
@@ -89,6 +89,7 @@ export function startSimulator(gallery: Promise<Gallery>): Simulator {
 
 function buildPage(session: Session, startClient: () => EngineClient, rest: Rest): void {
   showFaults(session);
+  showModelWarnings(session);
   showWarnings(session);
   showAbout(session);
   enableSwitcher();

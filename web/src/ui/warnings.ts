@@ -1,7 +1,7 @@
 import type { Session } from "../app/session";
 import type { Warning } from "../engine/engine";
 import { texts } from "../texts";
-import { byId, make } from "./dom";
+import { byId, make, setText } from "./dom";
 
 /** Shows the engine's warnings of a run, each until the user dismisses it or another run begins. */
 export function showWarnings(session: Session): void {
@@ -33,6 +33,18 @@ export function showWarnings(session: Session): void {
       const warnings = session.shown.recording?.warnings ?? [];
       dismissed = Math.min(dismissed, warnings.length);
       show(warnings);
+    },
+  });
+}
+
+/** Shows the engine's warnings about the model, from before the run. */
+export function showModelWarnings(session: Session): void {
+  const region = byId("model-warnings");
+  session.listen({
+    opened: ({ model }) => {
+      region.hidden = model.warnings.length === 0;
+      setText(region.querySelector("summary")!, texts.warnings.of_model(model.warnings.length));
+      region.querySelector("ul")!.replaceChildren(...model.warnings.map((warning) => make("li", {}, warning)));
     },
   });
 }

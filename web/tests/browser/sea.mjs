@@ -112,6 +112,18 @@ export default {
     await close();
   },
 
+  async "chains whose inertia is left out give warnings about the model"(host) {
+    const { page, close } = await openBarge(host);
+    const warnings = page.getByTestId("model-warnings");
+    assert.equal(await warnings.isVisible(), false);
+    await page.getByTestId("gallery").selectOption("offshore_vessel_moored");
+    await warnings.waitFor();
+    assert.equal(await warnings.locator("summary").textContent(), "4 warnings about the model");
+    await warnings.locator("summary").click();
+    assert.match(await warnings.textContent(), /port_bow: its inertia and drag are left out/);
+    await close();
+  },
+
   async "a ship that heels beyond the range of her hydrodynamic loads gives a warning"(host) {
     const { page, close } = await openApp(host);
     await openFile(page, "steep.yaml", BARGE.replace("orientation_deg: [4, -2, 0]", "orientation_deg: [24, 0, 0]"), DATABASE);

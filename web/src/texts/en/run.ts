@@ -55,5 +55,6 @@ export const announcer = {
 
 export const warnings = {
   dismiss: "Dismiss",
+  of_model: (count: number) => (count === 1 ? "Warning about the model" : `${count} warnings about the model`),
   title: (count: number) => (count === 1 ? "Warning" : `${count} warnings`),
 };

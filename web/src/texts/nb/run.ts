@@ -56,5 +56,6 @@ export const announcer: Texts["announcer"] = {
 
 export const warnings: Texts["warnings"] = {
   dismiss: "Lukk",
+  of_model: (count) => (count === 1 ? "Advarsel om modellen" : `${count} advarsler om modellen`),
   title: (count) => (count === 1 ? "Advarsel" : `${count} advarsler`),
 };
