@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 import xarray
 from kingpost.simulation import batch as batches
+from kingpost.simulation import simulate
 
 SHORT = {"simulation.duration_s": 0.2, "simulation.step_s": 0.002}
 
@@ -59,7 +60,8 @@ def test_a_run_by_the_build_for_this_processor_has_the_bits_of_the_plain_one(
 ) -> None:
     short = {"simulation.duration_s": 2.0}
     wide = kingpost.run(name, short)
-    monkeypatch.setattr(kingpost.scenario, "engine", plain)
+    for module in (kingpost.scenario, simulate):
+        monkeypatch.setattr(module, "engine", plain)
     for variable, values in kingpost.run(name, short).data_vars.items():
         np.testing.assert_array_equal(wide[variable].values, values.values, err_msg=variable)
 

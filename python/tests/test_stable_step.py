@@ -50,7 +50,9 @@ def test_a_damped_motion_has_the_limit_of_its_scheme() -> None:
 
 
 def test_every_scenario_of_the_gallery_has_a_stable_step(shown) -> None:
-    warned = {name: shown[name]["model_warnings"] for name in gallery.names() if shown[name]["model_warnings"]}
+    warned = {
+        name: shown[name]["model_warnings"] for name in gallery.names() if shown[name]["model_warnings"]
+    }
     # Its four chains have no inertia.
     assert list(warned) == ["offshore_vessel_moored"]
     assert all("its inertia and drag are left out" in text for text in warned["offshore_vessel_moored"])

@@ -13,6 +13,7 @@ import numpy as np
 from ..engine import engine
 from . import xarrays
 from .columns import unit_coordinate
+from .kept import DIGEST, digest_of
 
 if TYPE_CHECKING:
     import xarray
@@ -126,7 +127,7 @@ def attributes(scenario: Scenario, status: str) -> dict[str, Any]:
     described, sea = scenario.model, scenario.model["sea"]
     versions = {name: version(name) for name in ("numpy", "xarray")}
     versions |= {"kingpost": engine.__version__, "python": platform.python_version()}
-    return {
+    found = {
         "Conventions": CONVENTIONS,
         "title": scenario.title,
         "status": status,
@@ -140,3 +141,4 @@ def attributes(scenario: Scenario, status: str) -> dict[str, Any]:
         "floating_bodies": " ".join(body["name"] for body in described["bodies"] if body["floats"]),
         "axes": AXES,
     }
+    return {**found, DIGEST: digest_of(found)}

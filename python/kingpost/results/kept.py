@@ -3,6 +3,7 @@ limits."""
 
 from __future__ import annotations
 
+import hashlib
 import json
 import math
 from collections.abc import Mapping
@@ -19,6 +20,20 @@ if TYPE_CHECKING:
 
 FIELDS = ("scenario", "files", "versions")
 """Attributes of JSON text, with fields by name."""
+DIGEST = "attributes_sha256"
+DIGESTED = (*FIELDS, "seed", "gravity_m_s2", "water_density_kg_m3")
+"""Attributes with numbers, which checksums of the file do not cover."""
+
+
+def digest_of(attributes: Mapping[str, Any]) -> str:
+    """SHA-256 of the attributes with numbers.
+
+    >>> digest_of({"seed": 1}) == digest_of({"seed": np.int64(1), "title": "a lift"})
+    True
+    """
+    values = [attributes.get(name) for name in DIGESTED]
+    plain = [value.item() if isinstance(value, np.generic) else value for value in values]
+    return hashlib.sha256(json.dumps(plain).encode()).hexdigest()
 
 
 def is_of_a_run(results: xarray.Dataset) -> bool:
@@ -42,6 +57,7 @@ def has_attributes(attributes: Mapping[str, Any]) -> bool:
     """
     try:
         found = {name: json.loads(attributes[name]) for name in FIELDS if name in attributes}
+        digest = digest_of(attributes)
     except (TypeError, ValueError, RecursionError):
         return False
     return (
@@ -50,6 +66,7 @@ def has_attributes(attributes: Mapping[str, Any]) -> bool:
         and _is_scenario(found.get("scenario", {}))
         and isinstance(attributes.get("seed", 0), int | np.integer)
         and isinstance(attributes.get("floating_bodies", ""), str)
+        and attributes.get(DIGEST, digest) == digest
     )
 
 

@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 MOST_SEEDS = 100_000
 TOGETHER = 16
 """Largest number of runs in memory at a time, if their rows fit."""
+MODEL_GB = 1e-3
+"""Memory of the model of one run: ample, the engine counts 65 kB."""
 
 
 def files(pattern: str | Path, count: int) -> list[Path]:
@@ -97,7 +99,7 @@ def run(
         together = Batch(scenario, {SEED: [seeds[path] for path in some]}).run(
             progress=_from(len(there) + first, progress),
             # Runs whose rows do not fit together run one by one, as without seeds.
-            memory_gb=max(MOST_MEMORY_GB, 1.01 * of_one_gb),
+            memory_gb=max(MOST_MEMORY_GB, 1.01 * of_one_gb + MODEL_GB),
         )
         for k, path in enumerate(some):
             one = _alone(scenario.with_overrides({SEED: seeds[path]}), together, k)

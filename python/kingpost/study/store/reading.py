@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 import warnings
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -43,6 +43,8 @@ def open_results(folder: Path) -> xarray.Dataset:
     if about is None or not (path / "zarr.json").is_file():
         missing = ABOUT if about is None else RESULTS
         raise KingpostError(f"{folder}: found no {missing} in it, allowed: the folder of a study")
+    # Before the numbers: a unit that another process finishes meanwhile does not count.
+    markers = _markers(folder, about)
     with _named(path):
         found = xarray.open_zarr(str(path), consolidated=False, chunks=None).load()
         group = zarr.open_group(str(path), mode="r")
@@ -55,7 +57,7 @@ def open_results(folder: Path) -> xarray.Dataset:
             f"{path}: found coordinates or attributes that do not match their digest, "
             f"allowed: unchanged ones; {AGAIN}"
         )
-    for runs in _not_done(folder, about, arrays):
+    for runs in _not_done(folder, about, markers, arrays):
         for name in arrays:
             found[name].values[runs] = fills[name]
     # Texts in the form of other data sets.
@@ -64,7 +66,24 @@ def open_results(folder: Path) -> xarray.Dataset:
     return found.assign_coords(texts)
 
 
-def _not_done(folder: Path, about: About, arrays: Mapping[str, NDArray[np.generic]]) -> list[slice]:
+def _markers(folder: Path, about: About) -> list[str | None]:
+    """Return the text of the marker of each unit: None without a marker, empty if it cannot be read."""
+    units = range(-(-int(about["runs"]) // int(about["runs_of_unit"])))
+    return [_text(folder / UNITS / f"{unit:06d}.json") for unit in units]
+
+
+def _text(marker: Path) -> str | None:
+    try:
+        return marker.read_text(encoding="utf-8")
+    except FileNotFoundError:
+        return None
+    except (OSError, ValueError):
+        return ""
+
+
+def _not_done(
+    folder: Path, about: About, markers: Sequence[str | None], arrays: Mapping[str, NDArray[np.generic]]
+) -> list[slice]:
     """Return the runs of the units without a marker.
 
     Raises
@@ -73,10 +92,9 @@ def _not_done(folder: Path, about: About, arrays: Mapping[str, NDArray[np.generi
         If a marker cannot be read, or the numbers of a unit do not match the digest in its marker.
     """
     size, damaged, missing = int(about["runs_of_unit"]), [], []
-    for unit, first in enumerate(range(0, int(about["runs"]), size)):
-        runs = slice(first, min(first + size, int(about["runs"])))
-        marker = folder / UNITS / f"{unit:06d}.json"
-        if not marker.exists():
+    for unit, marker in enumerate(markers):
+        runs = slice(unit * size, min((unit + 1) * size, int(about["runs"])))
+        if marker is None:
             missing.append(runs)
         elif not _is_whole(marker, about, arrays, runs):
             damaged.append(unit)
@@ -89,11 +107,11 @@ def _not_done(folder: Path, about: About, arrays: Mapping[str, NDArray[np.generi
     return missing
 
 
-def _is_whole(marker: Path, about: About, arrays: Mapping[str, NDArray[np.generic]], runs: slice) -> bool:
+def _is_whole(marker: str, about: About, arrays: Mapping[str, NDArray[np.generic]], runs: slice) -> bool:
     try:
-        said = json.loads(marker.read_text(encoding="utf-8"))
+        said = json.loads(marker)
         expected = (said["fingerprint"], said["runs"], said["sha256"])
-    except (OSError, ValueError, TypeError, KeyError):
+    except (ValueError, TypeError, KeyError):
         return False
     found = digest({name: array[runs] for name, array in arrays.items()})
     return expected == (about["fingerprint"], [runs.start, runs.stop], found)
