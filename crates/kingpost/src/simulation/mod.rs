@@ -11,6 +11,7 @@ mod recording;
 mod sampled_loops;
 mod sea;
 mod settle;
+mod settling_moves;
 mod setup;
 #[cfg(not(target_family = "wasm"))]
 mod side_by_side;

@@ -1,5 +1,6 @@
 //! Equilibrium of a model: free coordinates at which, with zero rates, all accelerations are zero.
 
+use super::settling_moves::{AT_REST, LastMove, Linear, SMALLEST_SHARE, next_move};
 use super::{InputError, MOST_DENSE, Simulation, stage};
 use crate::dynamics::Kinematics;
 use crate::elements::{EvaluationMode, HOLD_IT};
@@ -9,27 +10,13 @@ use crate::plant::Form;
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
-/// Accelerations below this count as 0, m/s^2 or rad/s^2: about 1e-11 of g, which displaces a pendulum of 1
-/// km by 10 nm.
-const AT_REST: f64 = 1e-10;
 /// Allowed acceleration at rest, in rounding errors of a position: a spring's end is computed from positions
 /// in a few operations.
 const ROUNDINGS: f64 = 4.0;
-/// If a move leaves more than this share of an acceleration, the rest is rounding error: near the solution a
-/// move of Newton's method squares the error.
-const STAGNANT: f64 = 0.5;
-/// Smallest norm of A that counts, 1/s^2: for a body without restoring forces A is zero.
-const SMALLEST_STIFFNESS: f64 = 1e-10;
 /// Largest number of iterations.
 const MOST_ITERATIONS: usize = 400;
-/// Longest move of a coordinate in one iteration, m or rad.
-const LONGEST_MOVE: f64 = 0.5;
 /// Largest number of times that a move is halved if the loops cannot be closed at its end.
 const MOST_HALVINGS: i32 = 12;
-/// Smallest growth factor of the pseudo-time step while accelerations fall.
-const LEAST_GROWTH: f64 = 2.0;
-/// Smallest stiffness that is kept against drift along zero modes, as a share of the largest entry of A.
-const SMALLEST_SHARE: f64 = 1e-9;
 /// Smallest horizontal acceleration of a floating body that counts as a push, as a share of the largest
 /// acceleration.
 const SMALLEST_PUSH: f64 = 1e-3;
@@ -191,7 +178,7 @@ impl Simulation {
                 continue;
             }
             if rests && iterations < MOST_ITERATIONS && self.take_over(&still) {
-                last = Some(LastMove { delta: linear.largest_delta(), acceleration: f64::MAX });
+                last = Some(LastMove::anew(linear.largest_delta()));
                 iterations += 1;
                 continue;
             }
@@ -338,47 +325,7 @@ impl Simulation {
     }
 }
 
-/// The linear system of an iteration.
-struct Linear {
-    acceleration: DVector<f64>,
-    stiffness: DMatrix<f64>,
-}
-
-/// The pseudo-time step of a move, and the accelerations at its start.
-#[derive(Clone, Copy)]
-struct LastMove {
-    delta: f64,
-    acceleration: f64,
-}
-
-/// Returns the next move of the free coordinates, tangent to the loops' J; `None` if the linear system has no
-/// solution.
-fn next_move(linear: &Linear, j: &DMatrix<f64>, last: Option<LastMove>) -> Option<(DVector<f64>, LastMove)> {
-    let (acceleration, norm) = (&linear.acceleration, linear.acceleration.norm());
-    // Larger than the largest stiffness, so that the move also goes downhill along an unstable direction.
-    let grown = last.map_or(0.5 / linear.size(), |last| last.delta * growth(last.acceleration / norm));
-    let delta = grown.min(linear.largest_delta());
-    let right = acceleration.clone().resize_vertically(acceleration.len() + j.nrows(), 0.0);
-    let xi = linear.bordered(j, delta).lu().solve(&right)?.rows(0, acceleration.len()).into_owned();
-    let longest = xi.amax();
-    let xi = if longest > LONGEST_MOVE { xi * (LONGEST_MOVE / longest) } else { xi };
-    longest.is_finite().then_some((xi, LastMove { delta, acceleration: norm }))
-}
-
 impl Linear {
-    fn size(&self) -> f64 {
-        self.stiffness.norm().max(SMALLEST_STIFFNESS)
-    }
-
-    /// Returns whether each acceleration is 0, or a rounding error that the last move could not reduce.
-    fn rests(&self, allowed: &DVector<f64>, last: Option<LastMove>) -> bool {
-        if self.acceleration.iter().all(|a| a.abs() < AT_REST) {
-            return true;
-        }
-        let is_rounding = self.acceleration.iter().zip(allowed).all(|(a, allowed)| a.abs() < *allowed);
-        is_rounding && last.is_some_and(|last| self.acceleration.norm() > STAGNANT * last.acceleration)
-    }
-
     /// Returns the fastest-growing motion tangent to the loops' J: v' = A x with an eigenvalue 1 / T^2 of A.
     fn growth(&self, (mass, j): &(DMatrix<f64>, DMatrix<f64>), names: &[String]) -> Option<Instability> {
         let tangents = tangents(j, names.len());
@@ -398,20 +345,6 @@ impl Linear {
         let energies = motion.component_mul(&(mass * &motion));
         Some(Instability::Growth { coordinate: names[energies.imax()].clone(), time_s: 1.0 / fastest.sqrt() })
     }
-
-    fn largest_delta(&self) -> f64 {
-        1.0 / (SMALLEST_SHARE * self.size())
-    }
-
-    /// Returns `1/delta - A`, bordered by the loops' J.
-    fn bordered(&self, j: &DMatrix<f64>, delta: f64) -> DMatrix<f64> {
-        let (n, constraints) = (self.acceleration.len(), j.nrows());
-        let mut bordered = DMatrix::zeros(n + constraints, n + constraints);
-        bordered.view_mut((0, 0), (n, n)).copy_from(&(DMatrix::identity(n, n) / delta - &self.stiffness));
-        bordered.view_mut((0, n), (n, constraints)).copy_from(&j.transpose());
-        bordered.view_mut((n, 0), (constraints, n)).copy_from(j);
-        bordered
-    }
 }
 
 /// Returns unit columns that span the null space of J.
@@ -425,11 +358,4 @@ fn tangents(j: &DMatrix<f64>, count: usize) -> DMatrix<f64> {
     // count as free.
     let passed: Vec<_> = (0..count).filter(|&k| eigen.eigenvalues[k] <= 1e-12 * largest).collect();
     eigen.eigenvectors.select_columns(&passed)
-}
-
-/// Returns the growth factor of the pseudo-time step if the accelerations have fallen by `fallen_by`, or its
-/// reduction if they have risen. Stiff parts reach rest long before soft parts begin to move: meanwhile the
-/// step has to grow.
-fn growth(fallen_by: f64) -> f64 {
-    if fallen_by < 1.0 { fallen_by } else { fallen_by.max(LEAST_GROWTH) }
 }
