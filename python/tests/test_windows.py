@@ -247,8 +247,8 @@ def study(tmp_path: Path) -> Path:
             "at_least": ("limit", [np.nan]), "at_most": ("limit", [5.0]),
         },
         {
-            "title": "a made-up lift", "axes": '["hs", "tp"]', "after_s": 60.0, "duration_s": 660.0,
-            "sea": '{"significant_height": "hs", "peak_period": "tp"}', "operation_s": 1800.0,
+            "title": "a made-up lift", "axes": "hs tp", "after_s": 60.0, "duration_s": 660.0,
+            "sea_significant_height": "hs", "sea_peak_period": "tp", "operation_s": 1800.0,
             "acceptance": 0.1,
         },
     )  # fmt: skip

@@ -1,7 +1,7 @@
 //! Lines with mass: closed forms of their waves and modes, and conservation of energy.
 
 use kingpost::analysis::{Linearization, Linearizer};
-use kingpost::elements::{AnyElement, Line, LineGround, LineSection};
+use kingpost::elements::{AnyElement, DynamicLine, LineGround, LineSection};
 use kingpost::model::Attachment;
 use kingpost::plant::{Number, Plant};
 use kingpost::scalar::Scalar;
@@ -67,14 +67,14 @@ fn over<S: Scalar>(section: LineSection) -> LineSection<S> {
 }
 
 impl Straight {
-    fn line<S: Scalar>(&self, setup: &Setup<S>) -> Line<S> {
+    fn line<S: Scalar>(&self, setup: &Setup<S>) -> DynamicLine<S> {
         let [from, to] = [self.from, self.to].map(|point| Vector3(point.map(S::constant)));
         let end = |body, at| setup.model.attachment(body, Frame::translation(at));
         let last: Attachment<S> = if self.on_load { end(Some(0), Vector3::zero()) } else { end(None, to) };
         let parts = 2 * self.elements;
         let at = |k: usize| from + (to - from) * S::constant(k as f64 / parts as f64);
         let start = (1..parts).map(at).collect();
-        Line::new("wire", [end(None, from), last], S::constant(self.length), over(self.section), start)
+        DynamicLine::new("wire", [end(None, from), last], S::constant(self.length), over(self.section), start)
     }
 
     /// Adds the line to a setup.

@@ -28,14 +28,14 @@ use nodes::Nodes;
 /// the bodies, which get the forces of the line there, and its mass there as an added inertia. Explicit schemes need steps
 /// that resolve its axial waves; implicit ones do not.
 #[derive(Clone, Debug)]
-pub struct Line<S = f64> {
+pub struct DynamicLine<S = f64> {
     /// Name in the results.
     pub name: String,
     /// Its ends.
     pub ends: [Attachment<S>; 2],
     /// L without tension, m.
     pub unstretched_length: S,
-    /// What it is made of.
+    /// Its properties per length.
     pub section: LineSection<S>,
     /// The ground on which it can lie, at the depth of the water.
     pub ground: Option<LineGround<S>>,
@@ -46,7 +46,7 @@ pub struct Line<S = f64> {
     nodes: Nodes<S>,
 }
 
-impl<S: Scalar> Line<S> {
+impl<S: Scalar> DynamicLine<S> {
     /// Creates a line whose nodes at the start are at `start`, between its ends; an even number of them loses the last.
     pub fn new(
         name: &str,
@@ -100,7 +100,7 @@ impl<S: Scalar> Line<S> {
     }
 }
 
-impl<S: Scalar> Element<S> for Line<S> {
+impl<S: Scalar> Element<S> for DynamicLine<S> {
     fn name(&self) -> &str {
         &self.name
     }

@@ -9,7 +9,7 @@ use crate::spatial::Vector3;
 
 /// A node.
 #[derive(Clone, Copy, Debug)]
-pub struct Node<S> {
+pub struct LineNode<S> {
     /// Position, world, m.
     pub position: Vector3<S>,
     /// Velocity, world, m/s.
@@ -27,7 +27,7 @@ pub struct Node<S> {
 /// The nodes of a line, from its first end: every second one is in the middle of an element.
 #[derive(Clone, Debug)]
 pub struct Nodes<S> {
-    nodes: Vec<Node<S>>,
+    nodes: Vec<LineNode<S>>,
     /// Length of an element, m.
     element: S,
     /// Tensions at the points of Gauss's rule, N.
@@ -45,7 +45,7 @@ impl<S: Scalar> Nodes<S> {
     pub fn new(count: usize, length: S) -> Self {
         let zero = Vector3::zero();
         let mass = PartMass { across: S::ZERO, along: S::ZERO };
-        let node = Node { position: zero, velocity: zero, tangent: zero, mass, force: zero, acceleration: zero };
+        let node = LineNode { position: zero, velocity: zero, tangent: zero, mass, force: zero, acceleration: zero };
         let elements = count / 2;
         Self {
             nodes: vec![node; count],
@@ -63,7 +63,7 @@ impl<S: Scalar> Nodes<S> {
     }
 
     /// Returns a node.
-    pub fn node(&self, node: usize) -> &Node<S> {
+    pub fn node(&self, node: usize) -> &LineNode<S> {
         &self.nodes[node]
     }
 
@@ -84,7 +84,7 @@ impl<S: Scalar> Nodes<S> {
         self.element * S::constant(sixths / 6.0)
     }
 
-    fn of_element<T>(&self, element: usize, part: impl Fn(&Node<S>) -> T) -> [T; 3] {
+    fn of_element<T>(&self, element: usize, part: impl Fn(&LineNode<S>) -> T) -> [T; 3] {
         [0, 1, 2].map(|k| part(&self.nodes[2 * element + k]))
     }
 
@@ -114,7 +114,7 @@ impl<S: Scalar> Nodes<S> {
     /// Sets the tangents: between the neighbours of a node, at the ends by the shape of the element.
     fn set_tangents(&mut self) {
         let last = self.nodes.len() - 1;
-        let slope_at = |nodes: &[Node<S>], first: usize, xi: f64| {
+        let slope_at = |nodes: &[LineNode<S>], first: usize, xi: f64| {
             sum(&slopes(xi, self.element), &[0, 1, 2].map(|k| nodes[first + k].position))
         };
         for node in 0..=last {
@@ -134,7 +134,7 @@ impl<S: Scalar> Nodes<S> {
         let last = self.nodes.len() - 1;
         for i in 0..=last {
             let length = self.length_at(i);
-            let Node { position, velocity, tangent, .. } = self.nodes[i];
+            let LineNode { position, velocity, tangent, .. } = self.nodes[i];
             let WaterForce { force: water, added, dissipated } =
                 section.in_water(at, length, (position, tangent, velocity));
             let dry = section.mass_per_length * length;
@@ -163,7 +163,7 @@ impl<S: Scalar> Nodes<S> {
         let (Some(ground), Some(depth)) = (ground, at.world.depth) else {
             return (Vector3::zero(), S::ZERO, S::ZERO);
         };
-        let Node { position, velocity, .. } = self.nodes[node];
+        let LineNode { position, velocity, .. } = self.nodes[node];
         ground.support(self.length_at(node), -depth - position[2], velocity)
     }
 

@@ -1,4 +1,4 @@
-//! What a line is made of, and the force of the water on a part of it.
+//! Properties of a line per length, and the force of the water on a part of it.
 
 use crate::elements::Context;
 use crate::scalar::Scalar;
