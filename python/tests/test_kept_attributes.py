@@ -116,7 +116,6 @@ def test_zarr_keeps_entries_too(tmp_path):
         lambda run: run.assign(limit_held=("limit", [2, -1])),
         lambda run: run.assign(limit_held=("limit", [1, 0])),
         lambda run: run.assign(limit_held=("limit", [1.0, 0.0])),
-        lambda run: run.expand_dims(run=2),
         lambda run: run.assign_coords(run=[0, 1]),
     ],
 )
@@ -158,3 +157,11 @@ def test_attributes_that_are_not_json_are_refused():
     for text in ("{", "[" * 100_000, 7):
         assert not has_attributes({"scenario": text})
     assert not has_attributes({"floating_bodies": 1})
+
+
+def test_data_sets_of_runs_with_other_events_are_subtracted_and_joined() -> None:
+    """Source: what users do with two runs, one of which has an event and warnings more."""
+    one = of_a_run().assign(roll=("time", [1.0]))
+    other = entries.with_entries(xarray.Dataset({"roll": ("time", [3.0])}, {"time": [0.0]}))
+    assert (other - one)["roll"].item() == 2.0
+    assert xarray.concat([one, other], "seed", join="outer")["roll"].values.tolist() == [[1.0], [3.0]]

@@ -17,7 +17,6 @@ from typing import TYPE_CHECKING, overload
 import numpy as np
 
 from ..results.columns import unit_coordinate
-from ..results.entry_tables import NAMES as OF_ENTRIES
 from .extremes import EULER, THREE_HOURS_S, Extreme, extreme
 from .records import after, even
 from .spectra import moments, spectrum
@@ -82,7 +81,7 @@ def summary(
 
     kept = after(results, after_s)
     if isinstance(kept, xarray.Dataset):
-        own = {name: _with_own_unit(v) for name, v in kept.data_vars.items() if name not in OF_ENTRIES}
+        own = {name: _with_own_unit(v) for name, v in kept.data_vars.items()}
         named = {name: summary(v) if "time" in v.dims else v for name, v in own.items()}
         return xarray.Dataset(named, attrs=kept.attrs)
     # Sums of values near the largest float overflow to infinity; the warning of NumPy is suppressed.

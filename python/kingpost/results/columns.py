@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 
 from ..errors import KingpostError
 from .entries import floating_bodies_of
-from .entry_tables import NAMES as OF_ENTRIES
 from .units import IN_ENGINEERING, NAMES, engineering
 
 if TYPE_CHECKING:
@@ -143,8 +142,6 @@ def places(results: xarray.Dataset, along: Sequence[str] = ("time",)) -> dict[st
     """Position of each flat column by name; reads no values."""
     found: dict[str, Place] = {}
     for variable in results.data_vars.values():
-        if variable.name in OF_ENTRIES:
-            continue
         dims = [dim for dim in variable.dims if dim not in along]
         labels = [list(enumerate(results[dim].values)) for dim in dims]
         for entry in product(*labels):

@@ -1,7 +1,8 @@
 """Events, warnings and limits of a run in its data set, with the scenario and the names that it also holds.
 
-Events, warnings and limits are variables along the dimensions ``event``, ``warning`` and ``limit``. Only this
-module writes and reads them; `kept` checks them in files.
+Events, warnings and limits are coordinates along the dimensions ``event``, ``warning`` and ``limit``, so that
+data sets of runs can be subtracted and joined. Only this module writes and reads them; `kept` checks them in
+files.
 """
 
 from __future__ import annotations
@@ -62,15 +63,17 @@ def with_entries(
     limits: Sequence[LimitEntry] = (),
     model_warnings: Sequence[str] = (),
 ) -> xarray.Dataset:
-    """The data set of a run with its events, warnings and limits as variables.
+    """The data set of a run with its events, warnings and limits as coordinates: arithmetic leaves them out.
 
     >>> import xarray
     >>> found = with_entries(xarray.Dataset(), model_warnings=["nothing carries the ship"])
     >>> found["warning_code"].values.tolist(), model_warnings_of(found)
     (['model'], ['nothing carries the ship'])
+    >>> (found - with_entries(xarray.Dataset())).sizes["warning"]
+    0
     """
     every = [*map(_of_model, model_warnings), *map(dict, warnings)]
-    return results.assign(
+    return results.assign_coords(
         _variables("event", list(map(dict, events)))
         | _variables("warning", every)
         | _variables("limit", list(map(dict, limits)))
@@ -84,11 +87,11 @@ def with_entries_of_runs(
     limits: Sequence[Sequence[LimitEntry]],
     model_warnings: Sequence[str] = (),
 ) -> xarray.Dataset:
-    """The data set of a `Batch` with the warnings and limits of its runs as variables; the engine does not
+    """The data set of a `Batch` with the warnings and limits of its runs as coordinates; the engine does not
     return the events of a batch."""
     every = [{**_of_model(text), "run": -1} for text in model_warnings]
     every += [{**warning, "run": run} for run, own in enumerate(warnings) for warning in own]
-    return results.assign(_variables("warning", every, several=True) | _limits_of_runs(limits))
+    return results.assign_coords(_variables("warning", every, several=True) | _limits_of_runs(limits))
 
 
 def of_run(batch: xarray.Dataset, run: int) -> xarray.Dataset:
@@ -102,7 +105,14 @@ def of_run(batch: xarray.Dataset, run: int) -> xarray.Dataset:
 
 def only(results: xarray.Dataset) -> xarray.Dataset:
     """The events, warnings and limits of a run alone, in memory, with its attributes."""
-    return results[[name for name in results.data_vars if name in NAMES]].load()
+    others = [name for name in results.variables if name not in NAMES and name not in TABLES]
+    return results.drop_vars(others).load()
+
+
+def with_entries_of(results: xarray.Dataset, other: xarray.Dataset) -> xarray.Dataset:
+    """A data set with the events, warnings and limits of another one."""
+    held = [name for name in (*TABLES, *NAMES) if name in other.variables]
+    return results.assign_coords({name: other.variables[name] for name in held})
 
 
 def table(results: xarray.Dataset, dim: str) -> xarray.Dataset:
@@ -110,8 +120,9 @@ def table(results: xarray.Dataset, dim: str) -> xarray.Dataset:
     import xarray
 
     held = {name: results[name].variable for name in TABLES[dim] if name in results}
+    empty = _variables(dim, [], several="run" in results.sizes)
     about = {"title": results.attrs.get("title", "")}
-    return xarray.Dataset(held or _variables(dim, [], several="run" in results.sizes), attrs=about)
+    return xarray.Dataset(held or {name: empty[name] for name in TABLES[dim] if name in empty}, attrs=about)
 
 
 def events_of(results: xarray.Dataset) -> list[EventEntry]:
@@ -222,9 +233,9 @@ def _known(value: float) -> float | None:
 
 
 def _variables(dim: str, rows: Sequence[Mapping[str, Any]], several: bool = False) -> dict[str, Any]:
-    """Variables of a table by name, each along `dim`."""
+    """Variables of a table by name, each along `dim`, and the numbers of its entries."""
     fields = {name: field for name, field in TABLES[dim].items() if several or field.key != "run"}
-    return {
+    return {dim: np.arange(len(rows))} | {
         name: (dim, _array(field, [row[field.key] for row in rows]), field.about)
         for name, field in fields.items()
     }

@@ -19,8 +19,7 @@ from ..errors import KingpostError
 from ..reading import check_ends
 from . import xarrays
 from .columns import OVER_RUNS, columns, frame, nearest, places, unit_of
-from .entries import as_json
-from .entry_tables import NAMES as OF_ENTRIES
+from .entries import as_json, with_entries_of
 from .events import events, warnings
 from .kept import is_of_a_run
 from .units import IN_ENGINEERING, NAMES, check_units, engineering
@@ -158,7 +157,7 @@ def _variables(results: xarray.Dataset, patterns: Sequence[str]) -> xarray.Datas
         return results
     every = places(results).items()
     wanted = {of.variable for name, of in every if any(fnmatchcase(name, pattern) for pattern in patterns)}
-    return results[[name for name in results.data_vars if name in wanted or name in OF_ENTRIES]]
+    return with_entries_of(results[[name for name in results.data_vars if name in wanted]], results)
 
 
 def _write_parquet(results: xarray.Dataset, path: Path, patterns: Sequence[str], units: str) -> None:

@@ -89,7 +89,8 @@ def run(
     """
     seeds = {path: seed for seed, path in enumerate(paths, 1)}
     prints = {path: fingerprint(scenario, seed, patterns) for path, seed in seeds.items()}
-    there = {} if anew else {path: found for path in paths if (found := _finished(path, prints[path]))}
+    held = {} if anew else {path: _finished(path, prints[path]) for path in paths}
+    there = {path: found for path, found in held.items() if found is not None}
     new = [path for path in paths if path not in there]
     done = dict(there)
     of_one_gb = _memory_gb(scenario) if new else MOST_MEMORY_GB
