@@ -52,7 +52,7 @@ def of_two_runs() -> xarray.Dataset:
     )
 
 
-def test_what_a_run_and_a_batch_hold_is_accepted():
+def test_entries_of_runs_and_batches_are_accepted():
     """Source: what the program itself writes."""
     assert is_of_a_run(kingpost.run("paper", SHORT))
     assert is_of_a_run(kingpost.run("container_to_quay", SHORT))

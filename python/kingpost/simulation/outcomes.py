@@ -28,6 +28,16 @@ NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 PARTED = "parted at"
 
 
+def kind_of(warning: Mapping[str, object]) -> tuple[str, str, str]:
+    """Code and name of a warning, and its text without numbers: warnings that differ only in their numbers
+    are of one kind.
+
+    >>> kind_of({"code": "large_heel", "name": "ship", "text": "it heeled to 24.3 deg"})
+    ('large_heel', 'ship', 'it heeled to # deg')
+    """
+    return str(warning["code"]), str(warning["name"]), NUMBER.sub("#", str(warning["text"]))
+
+
 @dataclass(frozen=True)
 class Outcome:
     """The outcome of a run, as data sets hold it.
@@ -115,8 +125,8 @@ def in_words(outcomes: Sequence[Outcome]) -> tuple[list[str], list[str]]:
     alike: dict[tuple[str, str, str], dict[int, list[str]]] = {}
     for run, outcome in enumerate(outcomes):
         for warning in outcome.warnings:
-            pattern = NUMBER.sub("#", warning["text"]) if len(outcomes) > 1 else warning["text"]
-            kind = (warning["code"], warning["name"], pattern)
+            alone = (warning["code"], warning["name"], warning["text"])
+            kind = kind_of(warning) if len(outcomes) > 1 else alone
             alike.setdefault(kind, {}).setdefault(run, []).append(warning["text"])
     of_parting: list[str] = []
     others: list[str] = []

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, TypedDict
 import numpy as np
 
 from ..scenario import ParameterValue
-from ..simulation.outcomes import NUMBER
+from ..simulation.outcomes import kind_of
 from .design.job import WarningCount
 from .design.plan import Plan
 from .reduce import ENDED_EARLY, EXCEEDED, FINISHED, HELD, NOT_BUILT, NOT_RUN, UNKNOWN
@@ -130,8 +130,7 @@ def _warnings(folder: Path) -> list[WarningCount]:
     for marker in layout.markers(folder):
         for one in marker["warnings"]:
             none: WarningCount = {**one, "runs": 0}
-            kind = (one["code"], one["name"], NUMBER.sub("#", one["text"]))
-            entry = alike.setdefault(kind, none)
+            entry = alike.setdefault(kind_of(one), none)
             entry["runs"] += one["runs"]
     return sorted(alike.values(), key=lambda one: (-one["runs"], one["name"]))
 

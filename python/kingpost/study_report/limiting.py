@@ -64,10 +64,6 @@ def section(by_runs: xarray.Dataset | str, by_screen: xarray.Dataset | str) -> S
     return Section("limiting", "The limiting sea", blocks)
 
 
-def _sea(found: xarray.Dataset) -> dict[str, str]:
-    return sea_of(found)
-
-
 def _axes(found: xarray.Dataset) -> list[str]:
     return [str(dim) for dim in found["limiting_height_of_all"].dims]
 
@@ -75,7 +71,7 @@ def _axes(found: xarray.Dataset) -> list[str]:
 def _picture(known: dict[str, xarray.Dataset]) -> Picture | None:
     """Draw limiting heights over the peak period, a panel for each combination of the other axes."""
     first = next(iter(known.values()))
-    period = _sea(first).get("peak_period")
+    period = sea_of(first).get("peak_period")
     if period is None or period not in _axes(first):
         return None
     others = [name for name in _axes(first) if name != period]
@@ -199,7 +195,7 @@ def _difference(by_runs: xarray.Dataset, by_screen: xarray.Dataset) -> str:
     if not (state == "found").any() or runs.dims != linear.transpose(*runs.dims).dims:
         return "The two cannot be compared: no height by runs lies between those of the study."
     ratio = (linear.transpose(*runs.dims) / runs).values
-    top = float(by_runs[_sea(by_runs)["significant_height"]].max())
+    top = float(by_runs[sea_of(by_runs)["significant_height"]].max())
     ratio = ratio[np.isfinite(ratio) & (runs.values > 0) & (runs.values < top)]
     if not ratio.size:
         return "The two cannot be compared: no height by runs lies between those of the study."

@@ -1,8 +1,6 @@
 //! The trait of all elements: parts that act on the model or read it.
 
-use super::{
-    AnyWatcher, Context, Declaration, MovedMass, Occurrence, PresentSupport, RegularWaves, ShownWaves, Support,
-};
+use super::{AnyWatcher, Context, Declaration, Occurrence, PresentSupport, RegularWaves, ShownWaves, Support};
 use crate::dynamics::{Clock, Kinematics, Loads, UnilateralConstraint};
 use crate::scalar::Scalar;
 use crate::world::World;
@@ -157,8 +155,8 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
     }
 
     /// Returns a warning of effects that the element leaves out and that are not small at the start of a run, with their
-    /// size; `moved` is the mass that moves with each body.
-    fn left_out(&mut self, _at: &Context<'_, S>, _moved: &MovedMass) -> Option<String> {
+    /// size; `loads` are those of all elements.
+    fn left_out(&mut self, _at: &Context<'_, S>, _loads: &Loads<S>) -> Option<String> {
         None
     }
 

@@ -12,7 +12,7 @@ from ...engine import engine, source_digest
 from ...errors import KingpostError
 from ...results.channels import Channel
 from ...results.entries import WarningEntry
-from ...simulation.outcomes import NUMBER
+from ...simulation.outcomes import kind_of
 from .. import reduce
 from ..design.job import LANES, MOST_BYTES, Job, Result, WarningCount
 
@@ -75,9 +75,7 @@ def _some(
 
 
 def _count(warnings: list[WarningEntry], warned: Warned) -> None:
-    of_run = {
-        (one["code"], one["name"], NUMBER.sub("#", one["text"])): one["text"] for one in reversed(warnings)
-    }
+    of_run = {kind_of(one): one["text"] for one in reversed(warnings)}
     for kind, text in of_run.items():
         none: WarningCount = {"code": kind[0], "name": kind[1], "text": text, "runs": 0}
         warned.setdefault(kind, none)["runs"] += 1

@@ -20,7 +20,7 @@ use crate::dynamics::Loads;
 use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Matrix3, SpatialInertia, Symmetric3, Vector3};
-use nodes::Nodes;
+use nodes::{LineNode, Nodes};
 
 /// A line with inertia between two points on bodies or in the world.
 ///
@@ -67,36 +67,26 @@ impl<S: Scalar> DynamicLine<S> {
 
     /// Reads the motion of all nodes, and computes the forces on them and the accelerations between the ends.
     fn evaluate(&mut self, at: &Context<'_, S>) {
-        let (of_positions, of_velocities) = at.states.split_at(at.states.len() / 2);
-        let vector = |states: &[S], node: usize| Vector3::from_slice(&states[3 * (node - 1)..]);
-        let last = self.nodes.len() - 1;
-        for node in 0..=last {
-            let end = match node {
-                0 => Some(&self.ends[0]),
-                _ if node == last => Some(&self.ends[1]),
-                _ => None,
-            };
-            let (position, rate) = match end {
-                Some(end) => (place(end, at.model, at.links), velocity(end, at)),
-                None => (vector(of_positions, node), vector(of_velocities, node)),
-            };
-            self.nodes.put(node, position, rate);
+        for (end, node) in self.ends.iter().zip([0, self.nodes.len() - 1]) {
+            self.nodes.put(node, place(end, at.model, at.links), velocity(end, at));
+        }
+        let (positions, velocities) = at.states.split_at(at.states.len() / 2);
+        for (k, (x, v)) in positions.chunks_exact(3).zip(velocities.chunks_exact(3)).enumerate() {
+            self.nodes.put(k + 1, Vector3::from_slice(x), Vector3::from_slice(v));
         }
         self.nodes.stretch(&self.section);
         self.nodes.load(&self.section, self.ground.as_ref(), at);
     }
 
-    /// Adds force and inertia of the line at an end to its body.
-    fn pull(&self, end: usize, at: &Context<'_, S>, loads: &mut Loads<S>) {
-        let attachment = &self.ends[end];
-        let Some(body) = attachment.body else { return };
-        let node = self.nodes.node(if end == 0 { 0 } else { self.nodes.len() - 1 });
-        pull_at(attachment, node.force, at, loads);
+    /// Adds force and inertia of the line at an end, with its node, to its body.
+    fn pull(&self, end: &Attachment<S>, node: &LineNode<S>, at: &Context<'_, S>, loads: &mut Loads<S>) {
+        let Some(body) = end.body else { return };
+        pull_at(end, node.force, at, loads);
         let tangent = at.links.to_body_axes(at.model, body, node.tangent);
         let across = Symmetric3::diagonal([node.mass.across; 3]);
         let linear = across.minus_outer(tangent, node.mass.across - node.mass.along);
         let inertia = SpatialInertia { angular: Symmetric3::default(), coupling: Matrix3::zero(), linear };
-        loads.added_inertia.push((body, inertia.to_parent(&Frame::translation(attachment.in_body.position))));
+        loads.added_inertia.push((body, inertia.to_parent(&Frame::translation(end.in_body.position))));
     }
 }
 
@@ -127,8 +117,9 @@ impl<S: Scalar> Element<S> for DynamicLine<S> {
         self.evaluate(at);
         loads.power.dissipated += self.nodes.dissipated;
         loads.power.outside += self.nodes.outside;
-        self.pull(0, at, loads);
-        self.pull(1, at, loads);
+        for (end, node) in self.ends.iter().zip([0, self.nodes.len() - 1]) {
+            self.pull(end, self.nodes.node(node), at, loads);
+        }
     }
 
     fn rates(&mut self, at: &Context<'_, S>, rates: &mut [S]) {

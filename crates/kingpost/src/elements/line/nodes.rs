@@ -4,6 +4,7 @@ use super::ground::LineGround;
 use super::section::{LineSection, PartMass, WaterForce};
 use super::strain::{GAUSS, shapes, slopes, strained, sum};
 use crate::elements::Context;
+use crate::elements::lines::length_and_direction;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
@@ -123,8 +124,7 @@ impl<S: Scalar> Nodes<S> {
                 _ if node == last => slope_at(&self.nodes, last - 2, 1.0),
                 _ => self.nodes[node + 1].position - self.nodes[node - 1].position,
             };
-            let length = (way.norm_squared() + S::constant(f64::MIN_POSITIVE)).sqrt();
-            self.nodes[node].tangent = way * (S::ONE / length);
+            self.nodes[node].tangent = length_and_direction(way).1;
         }
     }
 

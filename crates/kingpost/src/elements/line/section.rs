@@ -1,6 +1,7 @@
 //! Properties of a line per length, and the force of the water on a part of it.
 
 use crate::elements::Context;
+use crate::elements::lines::length_and_direction;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 use crate::world::CurrentAt;
@@ -81,7 +82,7 @@ impl<S: Scalar> LineSection<S> {
         let tangential = tangent * of_relative;
         let normal = relative - tangential;
         let per_speed = half * density * self.diameter * wet;
-        let speed = |vector: Vector3<S>| (vector.norm_squared() + S::constant(f64::MIN_POSITIVE)).sqrt();
+        let speed = |vector| length_and_direction(vector).0;
         let drag = normal * (per_speed * self.drag[0] * speed(normal))
             + tangential * (per_speed * S::constant(PI) * self.drag[1] * speed(tangential));
         let inertial = acceleration * (displaced + across) + tangent * ((along - across) * of_acceleration);

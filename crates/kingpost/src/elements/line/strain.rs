@@ -1,6 +1,7 @@
 //! The tension in an element of a line, on which the position is quadratic.
 
 use super::section::LineSection;
+use crate::elements::lines::length_and_direction;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
@@ -43,8 +44,7 @@ pub fn strained<S: Scalar>(
     velocities: &[Vector3<S>; 3],
 ) -> Strained<S> {
     let way = sum(slopes, positions);
-    let ratio = (way.norm_squared() + S::constant(f64::MIN_POSITIVE)).sqrt();
-    let tangent = way * (S::ONE / ratio);
+    let (ratio, tangent) = length_and_direction(way);
     let rate = tangent.dot(sum(slopes, velocities));
     Strained { tangent, tension: section.tension(ratio, rate), ratio: [ratio, rate] }
 }

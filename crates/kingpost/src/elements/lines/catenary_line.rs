@@ -3,7 +3,7 @@
 use super::catenary::{Catenary, EndForce, Span};
 use super::{declaration_of_line, place, pull_at, shares};
 use crate::dynamics::{LinkKinematics, Loads};
-use crate::elements::{Context, Declaration, Element, MovedMass, Support};
+use crate::elements::{Context, Declaration, Element, Support};
 use crate::model::{Attachment, Model};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
@@ -70,7 +70,7 @@ impl<S: Scalar> Element<S> for CatenaryLine<S> {
         [Support::Carries(ends), Support::Station(ends)].into_iter().chain(ties).collect()
     }
 
-    fn left_out(&mut self, at: &Context<'_, S>, _moved: &MovedMass) -> Option<String> {
+    fn left_out(&mut self, at: &Context<'_, S>, _loads: &Loads<S>) -> Option<String> {
         self.dynamics_left_out(at)
     }
 

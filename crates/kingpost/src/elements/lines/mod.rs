@@ -58,6 +58,14 @@ pub(super) fn velocity<S: Scalar>(end: &Attachment<S>, at: &Context<'_, S>) -> V
     at.links.body_frame(at.model, body).rotation * in_body
 }
 
+/// Returns the length and direction of a vector. At length 0 there is no direction, but then a line is slack.
+pub(super) fn length_and_direction<S: Scalar>(way: Vector3<S>) -> (S, Vector3<S>) {
+    let square = way.norm_squared();
+    let there = |value: S| square.select_below(f64::MIN_POSITIVE, || S::ZERO, || value);
+    let root = square.select_below(f64::MIN_POSITIVE, || S::ONE, || square).sqrt();
+    (there(root), way * (S::ONE / root))
+}
+
 /// Adds a force, in world axes, at an end on a body; an end in the world gets none.
 pub(super) fn pull_at<S: Scalar>(end: &Attachment<S>, pull: Vector3<S>, at: &Context<'_, S>, loads: &mut Loads<S>) {
     let Some(body) = end.body else { return };

@@ -1,6 +1,6 @@
 //! A weightless line between two points: a mooring hawser, a towline, a tugger line.
 
-use super::{declaration_of_line, place, pull_at, shares, velocity};
+use super::{declaration_of_line, length_and_direction, place, pull_at, shares, velocity};
 use crate::dynamics::Loads;
 use crate::elements::{Context, Declaration, Element, PresentSupport, Support, hunt_crossley};
 use crate::model::Attachment;
@@ -110,12 +110,4 @@ impl<S: Scalar> SpringLine<S> {
         let beyond = length - self.unstretched_length;
         beyond.select_below(0.0, || S::ZERO, || beyond)
     }
-}
-
-/// Returns the length and direction of a vector. At length 0 there is no direction, but then a line is slack.
-fn length_and_direction<S: Scalar>(way: Vector3<S>) -> (S, Vector3<S>) {
-    let square = way.norm_squared();
-    let there = |value: S| square.select_below(f64::MIN_POSITIVE, || S::ZERO, || value);
-    let root = square.select_below(f64::MIN_POSITIVE, || S::ONE, || square).sqrt();
-    (there(root), way * (S::ONE / root))
 }

@@ -1,9 +1,11 @@
 //! Longitudinal vibration of a rope with a load at its lower end, and the warning of a rope whose inertia is left out.
 
 use super::Rope;
+use crate::dynamics::Loads;
+use crate::elements::Context;
 use crate::elements::watcher::significant;
-use crate::elements::{Context, MovedMass};
 use crate::scalar::Scalar;
+use crate::spatial::Vector3;
 use core::f64::consts::{FRAC_PI_2, TAU};
 
 /// Largest share of the mass of a load for which the inertia of its rope is left out without a warning.
@@ -86,11 +88,11 @@ impl LoadedBar {
 impl<S: Scalar> Rope<S> {
     /// Returns the warning of a rope whose mass is not small against that of its load: the natural period of the load
     /// on it, and the tension at the median period of the sea.
-    pub(super) fn inertia_left_out(&mut self, at: &Context<'_, S>, moved: &MovedMass) -> Option<String> {
+    pub(super) fn inertia_left_out(&mut self, at: &Context<'_, S>, loads: &Loads<S>) -> Option<String> {
         let mass_per_length = self.weight?.mass_per_length.value();
         let unstretched = self.laid(at).unstretched.value();
         let load = self.path.load()??;
-        let (mass, of_rope) = (moved.dry(load), mass_per_length * unstretched);
+        let ([mass, with_added_mass], of_rope) = (moved_masses(load, at, loads), mass_per_length * unstretched);
         if of_rope <= LARGEST_SHARE * mass {
             return None;
         }
@@ -99,7 +101,7 @@ impl<S: Scalar> Rope<S> {
             axial_stiffness: self.axial_stiffness.value(),
             mass_per_length,
             top_compliance: self.series_compliance.value(),
-            load: moved.with_added_mass(load),
+            load: with_added_mass,
         };
         let share = format!(
             "{}: the rope of {} t has {} % of the mass of its load (warned of beyond {} %), and its inertia and drag are left out",
@@ -113,6 +115,18 @@ impl<S: Scalar> Rope<S> {
             hangs_straight.then(|| vibration(&bar, at.world.waves.as_ref().and_then(|waves| waves.frequency_at(0.5))));
         Some([Some(share), vibration].into_iter().flatten().collect::<Vec<_>>().join("; "))
     }
+}
+
+/// Returns the mass that moves with a body, kg: of the bodies alone, and with the added mass of the water in the vertical
+/// direction.
+fn moved_masses<S: Scalar>(body: usize, at: &Context<'_, S>, loads: &Loads<S>) -> [f64; 2] {
+    let carried = at.model.carried(body);
+    let mass: f64 = carried.iter().map(|&body| at.model.bodies[body].mass.value()).sum();
+    let added = loads.added_inertia.iter().filter(|(body, _)| carried.contains(body)).map(|(body, inertia)| {
+        let up = at.links.to_body_axes(at.model, *body, Vector3::new(S::ZERO, S::ZERO, S::ONE));
+        up.dot(inertia.linear * up).value()
+    });
+    [mass, mass + added.sum::<f64>()]
 }
 
 /// Returns what the inertia of the bar changes.

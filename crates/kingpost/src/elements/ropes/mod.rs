@@ -25,8 +25,8 @@ pub use weight::RopeWeight;
 
 use crate::dynamics::Loads;
 use crate::elements::{
-    AnyWatcher, Context, Crossing, Declaration, DrawnLine, Element, ElementState, Event, Holding, LineStyle, MovedMass,
-    Output, PresentSupport, Support,
+    AnyWatcher, Context, Crossing, Declaration, DrawnLine, Element, ElementState, Event, Holding, LineStyle, Output,
+    PresentSupport, Support,
 };
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
@@ -245,8 +245,8 @@ impl<S: Scalar> Element<S> for Rope<S> {
         out.extend(self.on_chart(at, &now).into_iter().flatten());
     }
 
-    fn left_out(&mut self, at: &Context<'_, S>, moved: &MovedMass) -> Option<String> {
-        self.inertia_left_out(at, moved)
+    fn left_out(&mut self, at: &Context<'_, S>, loads: &Loads<S>) -> Option<String> {
+        self.inertia_left_out(at, loads)
     }
 
     fn watchers(&self) -> Vec<AnyWatcher> {

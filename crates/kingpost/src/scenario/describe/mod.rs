@@ -195,7 +195,6 @@ impl Scenario {
     pub(super) fn description_of(&self, setup: &Setup) -> Description {
         let (sea, hulls) = (afloat::sea(self, setup), afloat::hulls(self, setup));
         let objects_in_water = in_water::objects(setup);
-        let of_setup = warnings::of_left_out(setup).into_iter().chain(warnings::of_feedback(setup));
         let Setup { model, world, elements, limits, .. } = setup;
         let modes = model.coordinate_names().into_iter().zip(&model.modes);
         let free: Vec<String> =
@@ -248,7 +247,7 @@ impl Scenario {
             limits: limits.iter().cloned().map(describe_limit).collect(),
             live_settings: LIVE_SETTINGS.into(),
             parameters: self.parameter_values().into_iter().map(describe_parameter).collect(),
-            warnings: warnings::of(self, model, world, elements).into_iter().chain(of_setup).collect(),
+            warnings: warnings::of(self, model, world, elements).into_iter().chain(warnings::at_start(setup)).collect(),
         }
     }
 }

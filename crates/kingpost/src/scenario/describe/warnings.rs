@@ -33,15 +33,15 @@ fn falls(model: &Model, falling: &[usize]) -> Vec<String> {
     falling.iter().take(MOST_NAMED).map(of).chain(rest).collect()
 }
 
-/// Warns of effects that elements leave out and that are not small at the start of the run.
-pub fn of_left_out(setup: &Setup) -> Vec<String> {
-    Simulation::recursive_with(setup.clone(), false).left_out()
+/// Warns of effects that elements leave out and that are not small at the start of the run, and of feedback.
+pub fn at_start(setup: &Setup) -> impl Iterator<Item = String> + use<> {
+    let mut simulation = Simulation::recursive(setup.clone());
+    simulation.left_out().into_iter().chain(of_feedback(&mut simulation))
 }
 
 /// Warns of feedback that makes a mode unstable, by the linear check at the start of the run.
-pub fn of_feedback(setup: &Setup) -> Option<String> {
-    setup.elements.iter().find_map(|element| element.linear_law())?;
-    let found = Simulation::recursive(setup.clone()).growing_with_feedback()?;
+fn of_feedback(simulation: &mut Simulation) -> Option<String> {
+    let found = simulation.growing_with_feedback()?;
     let GrowingMode { coordinate, period_s, growth_time_s, because_of } = found;
     let mode = period_s.map_or_else(
         || format!("a motion of {coordinate}"),
