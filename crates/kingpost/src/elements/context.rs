@@ -10,6 +10,8 @@ pub enum EvaluationMode {
     /// Run: everything acts.
     #[default]
     Running,
+    /// Run, at a stage of an explicit step, to which elements have [advanced](super::Advancing) their states.
+    Stepping,
     /// Rest: waves are off, and prescribed motions are held.
     AtRest,
     /// Rest, with sensors that output exact values without sampling and delay.
@@ -19,9 +21,14 @@ pub enum EvaluationMode {
 }
 
 impl EvaluationMode {
+    /// Whether everything acts, as in a run.
+    pub fn runs(self) -> bool {
+        matches!(self, Self::Running | Self::Stepping)
+    }
+
     /// Whether waves act.
     pub fn has_waves(self) -> bool {
-        self == Self::Running
+        self.runs()
     }
 }
 

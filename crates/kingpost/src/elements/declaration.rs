@@ -30,6 +30,8 @@ pub struct Declaration {
     pub prescribes: bool,
     /// Whether it may hold a constraint.
     pub holds: bool,
+    /// Whether it [advances](super::Advancing) its states in explicit schemes.
+    pub advances: bool,
     /// Whether runs with it are stepped singly, not in lanes, because its law changes at different times in different
     /// runs.
     pub goes_alone: bool,

@@ -22,6 +22,7 @@ use core::fmt::Debug;
 /// | every step begins | [`update_controls`](Self::update_controls), if it steers inputs |
 /// | its own ticks, k times its sampling period | [`sample`](Self::sample) |
 /// | its numbers or one of its inputs are changed | [`renew`](Self::renew) |
+/// | a step of an explicit scheme | [`advancing`](Self::advancing), before the right-hand side of every stage |
 /// | a row of results | [`outputs`](Self::outputs), [`potential_energy`](Self::potential_energy) |
 /// | a run begins to watch its rows for warnings | [`watchers`](Self::watchers), once |
 /// | a picture | [`draw`](Self::draw) |
@@ -123,6 +124,11 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
 
     /// Returns the constraint of [`holding`](Self::holding), mutable, for evaluation.
     fn holding_mut(&mut self) -> Option<&mut dyn Holding<S>> {
+        None
+    }
+
+    /// Returns the role of an element whose states an explicit scheme does not integrate; `None` if it does.
+    fn advancing(&mut self) -> Option<&mut dyn Advancing<S>> {
         None
     }
 
@@ -230,6 +236,37 @@ pub trait Settling<S: Scalar = f64> {
 
     /// Returns the holding force over the limit of the element.
     fn utilisation(&self, at: &Context<'_, S>) -> S;
+}
+
+/// An element that advances its states itself in explicit schemes, implicitly, from the start of a step to each stage, where
+/// [`loads`](Element::loads) and [`rates`](Element::rates) are then called in [`EvaluationMode::Stepping`]: its own stiff
+/// motions do not limit the step. The contexts have no entries of the element.
+///
+/// [`EvaluationMode::Stepping`]: super::EvaluationMode::Stepping
+pub trait Advancing<S: Scalar = f64> {
+    /// Begins a step at its start, with the states there.
+    fn begin_step(&mut self, at: &Context<'_, S>, states: &[S]);
+
+    /// Writes the states at a stage.
+    ///
+    /// # Errors
+    /// The iteration that does not converge.
+    fn advance(&mut self, at: &Context<'_, S>, states: &mut [S]) -> Result<(), NotAdvanced>;
+
+    /// Completes the states at the end of the step, to which it was advanced and where the scheme has integrated
+    /// [`rates`](Element::rates). Returns the heat and the work from outside of the step, without those of the loads, J.
+    fn end_step(&mut self, states: &mut [S]) -> [S; 2];
+}
+
+/// An iteration of an [`Advancing`] element that does not converge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NotAdvanced {
+    /// Last move, m.
+    pub move_m: f64,
+    /// Largest move that is allowed, m.
+    pub allowed_m: f64,
+    /// Number of iterations.
+    pub iterations: usize,
 }
 
 /// An element that holds a one-sided constraint in some of its modes: an inextensible rope.

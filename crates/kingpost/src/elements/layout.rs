@@ -118,6 +118,8 @@ pub struct Layout {
     pub prescribing: Vec<usize>,
     /// The elements that may hold a constraint.
     pub holding: Vec<usize>,
+    /// The elements that advance their states in explicit schemes.
+    pub advancing: Vec<usize>,
     /// Inputs that take a sampled output.
     pub wires: Vec<Wire>,
     /// The elements that set inputs.
@@ -179,6 +181,7 @@ impl Layout {
             layout.watched.extend(declared.events.iter().enumerate().map(watched));
             layout.prescribing.extend(declared.prescribes.then_some(element));
             layout.holding.extend(declared.holds.then_some(element));
+            layout.advancing.extend(declared.advances.then_some(element));
         }
         layout.lay_wires();
         layout

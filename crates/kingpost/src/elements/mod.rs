@@ -72,7 +72,8 @@ pub use drawing::{DrawnLine, LineStyle};
 pub use drive_function::{CubicSpline, DriveFunction};
 pub use dynamic_positioning::DynamicPositioning;
 pub use element::{
-    AnyElement, Boxed, Element, ElementState, HOLD_IT, Holding, LinearLaw, Settling, of_kind, of_kind_mut,
+    Advancing, AnyElement, Boxed, Element, ElementState, HOLD_IT, Holding, LinearLaw, NotAdvanced, Settling, of_kind,
+    of_kind_mut,
 };
 pub use flow::{Flow, FlowLoad};
 pub use free_flooding_tank::FreeFloodingTank;
@@ -85,7 +86,7 @@ pub use joint_damping::JointDamping;
 pub use joint_spring::JointSpring;
 pub use joint_stop::{JointStop, StopSide, hunt_crossley};
 pub use layout::{Layout, Signal, StateSlices, Steer, UnknownSignal, Watched, Wire};
-pub use line::{DynamicLine, LineGround, LineSection};
+pub use line::{DynamicLine, LineGround, LinePart, LineSection};
 pub use lines::{CatenaryLine, SpringLine};
 pub use mean_heading::MeanHeading;
 pub use motion_reference_unit::{HeaveFilter, MotionReferenceUnit};

@@ -21,6 +21,23 @@ pub enum StepError {
         /// Number of iterations.
         iterations: usize,
     },
+    /// The motion of a line between its ends does not converge.
+    #[error(
+        "{name}: the motion of its nodes in the step that ends at {} s did not converge: after {iterations} iterations they still          move by {move_m:.3e} m, allowed: {allowed_m:.3e} m; a smaller step may help",
+        shown(*time_s)
+    )]
+    LineNotConverged {
+        /// Line.
+        name: String,
+        /// End of the step, s.
+        time_s: f64,
+        /// Last move of a node, m.
+        move_m: f64,
+        /// Largest allowed move, m.
+        allowed_m: f64,
+        /// Number of iterations.
+        iterations: usize,
+    },
     /// Error control would reduce the step below the smallest allowed one.
     #[error(
         "the step size collapsed at {} s: the tolerances need steps of less than {step_s:.3e} s, allowed: at least {least_s:.3e} s",

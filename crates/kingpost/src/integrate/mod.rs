@@ -89,6 +89,18 @@ pub trait System<S: Scalar = f64> {
     /// rejected trial.
     fn reject(&mut self) {}
 
+    /// Begins a step of an explicit Runge-Kutta scheme with a fixed step at its base.
+    fn begin_stages(&mut self, _base: Stage<'_, S>) {}
+
+    /// Replaces states in s that the system advances itself by their values at a stage, whose q and v are given with its
+    /// time; `is_end` marks the end of the step.
+    ///
+    /// # Errors
+    /// The system cannot advance them.
+    fn advance(&mut self, _at: Stage<'_, S>, _s: &mut [S], _is_end: bool) -> Result<(), StepError> {
+        Ok(())
+    }
+
     /// Projects q and v onto the constraints; returns whether there are any. Under loads that do not change
     /// the inertia, equal q and v give bitwise identical results.
     fn close(&mut self, _q: &mut [S], _v: &mut [S]) -> bool {

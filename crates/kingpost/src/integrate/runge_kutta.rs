@@ -1,6 +1,6 @@
 //! Explicit Runge-Kutta schemes in Munthe-Kaas' form.
 
-use super::{Interval, Sizes, Stage, System, accumulate};
+use super::{Interval, Sizes, Stage, StepError, System, accumulate};
 use crate::scalar::Scalar;
 use crate::state::State;
 
@@ -34,6 +34,8 @@ pub(super) struct Stages<S> {
     pub(super) q: Vec<S>,
     /// Zero local coordinates, v and s at the base.
     base: Triple<S>,
+    /// Whether the system advances states itself.
+    advances: bool,
 }
 
 /// Values for the local coordinates, v and s in one array of blocks of four, which are summed together.
@@ -81,7 +83,7 @@ impl<S: Scalar> Stages<S> {
     pub(super) fn new(tableau: &'static Tableau, sizes: Sizes) -> Self {
         let triple = || Triple::zero(sizes);
         let rates = tableau.b.iter().map(|_| triple()).collect();
-        Self { tableau, rates, place: triple(), q: vec![S::ZERO; sizes.positions], base: triple() }
+        Self { tableau, rates, place: triple(), q: vec![S::ZERO; sizes.positions], base: triple(), advances: false }
     }
 
     /// Computes the rates of the first stage, which is at the base of the step.
@@ -99,7 +101,10 @@ impl<S: Scalar> Stages<S> {
     }
 
     /// Computes the rates of the later stages of a step from `base` over its interval.
-    pub(super) fn go_on<Y: System<S>>(&mut self, system: &mut Y, base: Stage<'_, S>) {
+    ///
+    /// # Errors
+    /// The system cannot advance its own states.
+    pub(super) fn go_on<Y: System<S>>(&mut self, system: &mut Y, base: Stage<'_, S>) -> Result<(), StepError> {
         let Interval { start_s, end_s } = base.interval;
         for (stage, weights) in (1..).zip(self.tableau.a) {
             self.combine(weights, end_s - start_s, system, base.q);
@@ -107,11 +112,23 @@ impl<S: Scalar> Stages<S> {
                 1.0 => end_s,
                 c => start_s + c * (end_s - start_s),
             };
+            self.advance(system, Stage { time_s, ..base }, false)?;
             let ([xi, v, s], rates) = (self.place.parts(), self.rates[stage].parts_mut());
             let [xi_rate, v_rate, s_rate] = rates;
             system.rates(Stage { time_s, q: &self.q, v, s, ..base }, v_rate, s_rate);
             system.dexp_inverse(xi, v, xi_rate);
         }
+        Ok(())
+    }
+
+    /// Lets the system replace the states that it advances itself, at this point.
+    fn advance<Y: System<S>>(&mut self, system: &mut Y, at: Stage<'_, S>, is_end: bool) -> Result<(), StepError> {
+        if !self.advances {
+            return Ok(());
+        }
+        let Self { q, place, .. } = self;
+        let [_, v, s] = place.parts_mut();
+        system.advance(Stage { q, v, s: &[], ..at }, s, is_end)
     }
 
     /// Computes q, v, s: the base, whose q is given, plus h times the weighted rates.
@@ -180,18 +197,29 @@ pub struct ExplicitRungeKutta<S = f64> {
 impl<S: Scalar> ExplicitRungeKutta<S> {
     /// Creates a scheme for arrays of these sizes.
     pub fn new(tableau: &'static Tableau, sizes: Sizes) -> Self {
-        Self { stages: Stages::new(tableau, sizes) }
+        Self { stages: Stages { advances: true, ..Stages::new(tableau, sizes) } }
     }
 
-    /// Moves the state over the interval. Extra states have the weights of v.
-    pub fn step<Y: System<S>>(&mut self, system: &mut Y, interval: Interval, state: &mut State<S>) {
+    /// Moves the state over the interval. Extra states have the weights of v, except those that the system advances itself.
+    ///
+    /// # Errors
+    /// The system cannot advance its own states.
+    pub fn step<Y: System<S>>(
+        &mut self,
+        system: &mut Y,
+        interval: Interval,
+        state: &mut State<S>,
+    ) -> Result<(), StepError> {
         let stages = &mut self.stages;
         let State { q, v, s, d, m, .. } = &*state;
         let base = Stage { time_s: interval.start_s, interval, q, v, s, d, m };
+        system.begin_stages(base);
         stages.begin(system, base);
         stages.stand_on(base);
-        stages.go_on(system, base);
+        stages.go_on(system, base)?;
         stages.combine(stages.tableau.b, interval.end_s - interval.start_s, system, base.q);
+        stages.advance(system, Stage { time_s: interval.end_s, ..base }, true)?;
         stages.hand_out(&mut state.q, &mut state.v, &mut state.s);
+        Ok(())
     }
 }

@@ -100,7 +100,7 @@ impl<S: Scalar> Scheme<S> {
         state: &mut State<S>,
     ) -> Result<(), StepError> {
         match self {
-            Self::RungeKutta(scheme) => scheme.step(system, interval, state),
+            Self::RungeKutta(scheme) => return scheme.step(system, interval, state),
             Self::MidpointEuler(scheme) => scheme.step(system, interval, state),
             Self::SemiImplicitEuler(scheme) => scheme.step(system, interval, state),
             Self::DormandPrince(scheme) => return scheme.step(system, interval, edge_s, state),

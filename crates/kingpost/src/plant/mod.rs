@@ -1,5 +1,6 @@
 //! Right-hand side of the equations of motion: combines model, world and elements for an integrator.
 
+mod advancing;
 mod between_steps;
 mod element_contexts;
 mod holding;
@@ -19,7 +20,7 @@ use crate::dynamics::{
     Clock, Kinematics, LinkKinematics, Loads, UnilateralConstraint, energy, forward, inverse::InverseDynamics,
 };
 use crate::elements::{AnyElement, EvaluationMode, Layout, Watched};
-use crate::integrate::{Interval, Jacobian, Sizes, Stage, System};
+use crate::integrate::{Interval, Jacobian, Sizes, Stage, StepError, System};
 use crate::ledger::{self, Entries, JointLoad};
 use crate::model::{Model, MotionType, Node};
 use crate::scalar::Scalar;
@@ -153,7 +154,7 @@ impl<S: Scalar> Plant<S> {
             element.loads(contexts.of(i), loads);
         }
         // At rest, prescribed motions are held.
-        if *evaluation == EvaluationMode::Running {
+        if evaluation.runs() {
             for &i in &layout.prescribing {
                 elements[i].prescribe(world, contexts.shared.clock, prescribed_rates, &mut loads.acceleration);
             }
@@ -402,6 +403,14 @@ impl<S: Scalar> System<S> for Plant<S> {
         if !s_dot.is_empty() {
             self.rates_beside(at, v_dot, s_dot);
         }
+    }
+
+    fn begin_stages(&mut self, base: Stage<'_, S>) {
+        self.begin_advancing(base);
+    }
+
+    fn advance(&mut self, at: Stage<'_, S>, s: &mut [S], is_end: bool) -> Result<(), StepError> {
+        self.advance_elements(at, s, is_end)
     }
 
     fn accept(&mut self) {

@@ -185,6 +185,9 @@ impl RunError {
             Self::OpenLoop { name, constraint, gap, allowed, .. } => (name, constraint, gap, allowed),
             Self::UndeterminedRope { name, pivot, allowed, .. } => (name, &length, pivot, allowed),
             Self::ShortRope { name, gap, allowed, .. } => (name, &length, gap, allowed),
+            Self::Step(StepError::LineNotConverged { name, move_m, allowed_m, .. }) => {
+                return Some((name.clone(), "nodes".to_owned(), *move_m, *allowed_m));
+            }
             Self::NoNumber { .. }
             | Self::TooManyEvents { .. }
             | Self::EventNotAlone { .. }
@@ -206,7 +209,11 @@ impl RunError {
             | Self::TooManyEvents { time_s, .. }
             | Self::EventNotAlone { time_s }
             | Self::Steering { time_s, .. }
-            | Self::Step(StepError::NotConverged { time_s, .. } | StepError::Collapsed { time_s, .. }) => *time_s,
+            | Self::Step(
+                StepError::NotConverged { time_s, .. }
+                | StepError::LineNotConverged { time_s, .. }
+                | StepError::Collapsed { time_s, .. },
+            ) => *time_s,
         }
     }
 }

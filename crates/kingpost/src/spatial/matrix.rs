@@ -2,7 +2,7 @@
 
 use super::Vector3;
 use crate::scalar::Scalar;
-use core::ops::{Add, AddAssign, Mul, Neg, Sub};
+use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
 /// A 3x3 matrix by rows.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -101,6 +101,15 @@ impl<S: Scalar> Matrix3<S> {
         Self([turned(self.0[0]), turned(self.0[1]), turned(self.0[2])])
     }
 
+    /// Returns the inverse, by cofactors; entries are not finite if the matrix is singular.
+    #[inline]
+    pub fn inverse(&self) -> Self {
+        let [a, b, c] = [self.row(0), self.row(1), self.row(2)];
+        let cofactors = [b.cross(c), c.cross(a), a.cross(b)];
+        let k = S::ONE / a.dot(cofactors[0]);
+        Self::from_fn(|i, j| cofactors[j][i] * k)
+    }
+
     /// Determinant.
     #[inline]
     pub fn determinant(&self) -> S {
@@ -129,6 +138,20 @@ impl<S: Scalar> Add for Matrix3<S> {
     #[inline]
     fn add(self, b: Self) -> Self {
         Self([(self.row(0) + b.row(0)).0, (self.row(1) + b.row(1)).0, (self.row(2) + b.row(2)).0])
+    }
+}
+
+impl<S: Scalar> AddAssign for Matrix3<S> {
+    #[inline]
+    fn add_assign(&mut self, b: Self) {
+        *self = *self + b;
+    }
+}
+
+impl<S: Scalar> SubAssign for Matrix3<S> {
+    #[inline]
+    fn sub_assign(&mut self, b: Self) {
+        *self = *self - b;
     }
 }
 
@@ -314,6 +337,15 @@ mod tests {
             assert!(difference.0.iter().flatten().all(|x: &f64| x.abs() < 1e-15));
             assert!((r.determinant() - 1.0_f64).abs() < 1e-15 && (r.column(2) - z).norm() < 1e-16);
         }
+    }
+
+    #[test]
+    fn the_inverse_of_a_matrix_times_the_matrix_is_the_identity() {
+        let matrix = exp(Vector3::new(0.4, -0.7, 1.1))
+            + Matrix3::outer(Vector3::new(1.0, 2.0, 3.0), Vector3::new(0.5, -1.0, 2.0));
+        let difference = matrix.inverse() * matrix - Matrix3::identity();
+        // A few units in the last place times the condition of the matrix, about 10.
+        assert!(difference.0.iter().flatten().all(|x: &f64| x.abs() < 1e-14));
     }
 
     #[test]

@@ -24,7 +24,7 @@ pub(super) struct Pressed<S> {
 
 /// Returns the mode of a spot; while an equilibrium is sought, the mode that follows from the depth.
 pub(super) fn condition<S>(i: usize, at: &Context<'_, S>) -> i64 {
-    if at.evaluation == EvaluationMode::Running { at.modes.get(i).copied().unwrap_or(BY_DEPTH) } else { BY_DEPTH }
+    if at.evaluation.runs() { at.modes.get(i).copied().unwrap_or(BY_DEPTH) } else { BY_DEPTH }
 }
 
 impl<S: Scalar> Contact<S> {

@@ -6,58 +6,100 @@
 //! element, as those of quadratic elements with consistent masses (Cook et al., *Concepts and Applications of Finite
 //! Element Analysis*, 2002, sec. 11.3).
 
+mod advancing;
+pub(crate) mod assembly;
+mod blocks;
+pub(crate) mod fields;
 mod ground;
+mod mesh;
 mod nodes;
 mod section;
+mod statics;
+mod step;
 mod strain;
 
 pub use ground::LineGround;
+pub use mesh::LinePart;
 pub use section::LineSection;
 
 use super::lines::{declaration_of_line, place, pull_at, shares, velocity};
-use super::{Context, Declaration, Element, ElementState, StateDeclaration, Support};
-use crate::dynamics::Loads;
-use crate::model::Attachment;
+use super::{
+    Advancing, Context, Declaration, Element, ElementState, EvaluationMode, Output, StateDeclaration, Support,
+};
+use crate::dynamics::{LinkKinematics, Loads};
+use crate::model::{Attachment, Model};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Matrix3, SpatialInertia, Symmetric3, Vector3};
+use crate::world::World;
+use mesh::Mesh;
 use nodes::{LineNode, Nodes};
+use statics::LineStatics;
+use step::LineStep;
 
 /// A line with inertia between two points on bodies or in the world.
 ///
 /// Its states are positions and velocities of the nodes between its ends, in the world. The nodes at its ends move with
-/// the bodies, which get the forces of the line there, and its mass there as an added inertia. Explicit schemes need steps
-/// that resolve its axial waves; implicit ones do not.
+/// the bodies, which get the forces of the line there, and its mass there as an added inertia.
+///
+/// Forward Euler and Kutta's scheme integrate the bodies only: the line is [advanced](Advancing) to each of their stages by
+/// the implicit midpoint rule (`step.rs`), so that its axial waves do not limit the step. The other schemes integrate its
+/// states with their exact rates.
 #[derive(Clone, Debug)]
 pub struct DynamicLine<S = f64> {
     /// Name in the results.
     pub name: String,
     /// Its ends.
     pub ends: [Attachment<S>; 2],
-    /// L without tension, m.
-    pub unstretched_length: S,
-    /// Its properties per length.
-    pub section: LineSection<S>,
     /// The ground on which it can lie, at the depth of the water.
     pub ground: Option<LineGround<S>>,
-    /// Positions of the nodes between the ends at the start, world, m: an odd number, one less than twice the number of
-    /// elements.
-    pub start: Vec<Vector3<S>>,
+    /// Positions of the nodes between the ends at the start, world, m, if it does not begin at rest.
+    pub start: Option<Vec<Vector3<S>>>,
+    /// Its elements and nodes.
+    mesh: Mesh<S>,
     /// Working memory.
     nodes: Nodes<S>,
+    /// Its shape at rest.
+    statics: LineStatics<S>,
+    /// The present step.
+    step: LineStep<S>,
+    /// Power of its tension on its ends at the last evaluation, W.
+    on_ends: S,
+    /// Its integral and the energy lost to the scheme at the base of the step, J.
+    at_base: [S; 2],
+}
+
+/// The shape of a line at rest.
+#[derive(Clone, Copy, Debug)]
+pub struct RestingLine<S> {
+    /// Positions of its ends, world, m.
+    pub ends: [Vector3<S>; 2],
+    /// Its largest strain.
+    pub strain: S,
 }
 
 impl<S: Scalar> DynamicLine<S> {
-    /// Creates a line whose nodes at the start are at `start`, between its ends; an even number of them loses the last.
-    pub fn new(
-        name: &str,
-        ends: [Attachment<S>; 2],
-        unstretched_length: S,
-        section: LineSection<S>,
-        mut start: Vec<Vector3<S>>,
-    ) -> Self {
-        start.truncate(start.len().saturating_sub(1) / 2 * 2 + 1);
-        let nodes = Nodes::new(start.len() + 2, unstretched_length);
-        Self { name: name.to_owned(), ends, unstretched_length, section, ground: None, start, nodes }
+    /// Creates a line of these parts, from its first end, which begins at rest.
+    pub fn new(name: &str, ends: [Attachment<S>; 2], parts: &[LinePart<S>]) -> Self {
+        let mesh = Mesh::new(parts);
+        let count = mesh.nodes.len();
+        Self {
+            name: name.to_owned(),
+            ends,
+            ground: None,
+            start: None,
+            mesh,
+            nodes: Nodes::new(count),
+            statics: LineStatics::new(count),
+            step: LineStep::new(count),
+            on_ends: S::ZERO,
+            at_base: [S::ZERO; 2],
+        }
+    }
+
+    /// Lets the line begin with its nodes at these positions between the ends, world, m: one less than twice the number of
+    /// elements.
+    pub fn beginning_at(self, start: Vec<Vector3<S>>) -> Self {
+        Self { start: Some(start), ..self }
     }
 
     /// Lets the line lie on a ground.
@@ -66,16 +108,64 @@ impl<S: Scalar> DynamicLine<S> {
     }
 
     /// Reads the motion of all nodes, and computes the forces on them and the accelerations between the ends.
+    ///
+    /// At rest, the nodes are where the line rests between its ends, unless the line was given another start.
     fn evaluate(&mut self, at: &Context<'_, S>) {
-        for (end, node) in self.ends.iter().zip([0, self.nodes.len() - 1]) {
+        if at.evaluation.runs() || self.start.is_some() {
+            self.put_nodes(at, at.states);
+        } else {
+            self.rest(at);
+        }
+        self.nodes.stretch(&self.mesh);
+        self.on_ends = self.nodes.power_on_ends();
+        self.nodes.load(&self.mesh, self.ground.as_ref(), at);
+    }
+
+    /// Reads the motion of the ends and of the nodes between them.
+    fn put_nodes(&mut self, at: &Context<'_, S>, states: &[S]) {
+        for (end, node) in self.ends.iter().zip(self.end_nodes()) {
             self.nodes.put(node, place(end, at.model, at.links), velocity(end, at));
         }
-        let (positions, velocities) = at.states.split_at(at.states.len() / 2);
+        let (positions, velocities) = states[..self.motions()].split_at(self.motions() / 2);
         for (k, (x, v)) in positions.chunks_exact(3).zip(velocities.chunks_exact(3)).enumerate() {
             self.nodes.put(k + 1, Vector3::from_slice(x), Vector3::from_slice(v));
         }
-        self.nodes.stretch(&self.section);
-        self.nodes.load(&self.section, self.ground.as_ref(), at);
+    }
+
+    /// Puts the nodes where they rest between the present ends.
+    fn rest(&mut self, at: &Context<'_, S>) {
+        let Self { nodes, statics, mesh, ground, ends, .. } = self;
+        let ends = [0, 1].map(|end| place(&ends[end], at.model, at.links));
+        let calm = Context { evaluation: EvaluationMode::AtRest, ..*at };
+        let found = statics.solve(mesh, ground.as_ref(), ends, &calm);
+        for (node, place) in found.iter().enumerate() {
+            nodes.put(node, *place, Vector3::zero());
+        }
+    }
+
+    /// Returns the length without tension, m.
+    pub fn unstretched_length(&self) -> S {
+        self.mesh.length
+    }
+
+    /// Returns its shape at rest, for a model at these positions; NaN if none was found.
+    pub fn at_rest(&mut self, model: &Model<S>, world: &World<S>, (q, v): (&[S], &[S])) -> RestingLine<S> {
+        let mut links = LinkKinematics::new(model);
+        links.update(model, q, v);
+        self.rest(&Context::at_rest(world, model, &links, (q, v)));
+        self.nodes.stretch(&self.mesh);
+        let ends = self.end_nodes().map(|node| self.nodes.node(node).position);
+        RestingLine { ends, strain: self.nodes.largest_strain(&self.mesh) }
+    }
+
+    /// Returns the indices of the nodes at its ends.
+    fn end_nodes(&self) -> [usize; 2] {
+        [0, self.nodes.len() - 1]
+    }
+
+    /// Returns the number of states that are positions and velocities.
+    fn motions(&self) -> usize {
+        6 * (self.nodes.len() - 2)
     }
 
     /// Adds force and inertia of the line at an end, with its node, to its body.
@@ -99,33 +189,55 @@ impl<S: Scalar> Element<S> for DynamicLine<S> {
         let of = |what: &str, unit: &'static str| {
             let name = |k: usize, axis: &str| format!("node_{}.{what}.{axis}", k + 1);
             let axes = |k: usize| ["x", "y", "z"].map(|axis| StateDeclaration::new(name(k, axis), unit));
-            (0..self.start.len()).flat_map(axes).collect::<Vec<_>>()
+            (0..self.nodes.len() - 2).flat_map(axes).collect::<Vec<_>>()
         };
-        let states = [of("position", "m"), of("velocity", "m/s")].concat();
-        Declaration { states, keeps_states: true, ..declaration_of_line(&self.name) }
+        let energies = ["work_on_ends", "energy_lost_to_scheme"].map(|name| StateDeclaration::memory(name, "J"));
+        let states = [of("position", "m"), of("velocity", "m/s"), energies.to_vec()].concat();
+        let mut declared = declaration_of_line(&self.name);
+        let lost = "energy that the time stepping of a line took from it";
+        declared.outputs.push(Output::number("line_energy_lost_to_scheme", lost, "line", &self.name, &["J"]));
+        Declaration { states, keeps_states: self.start.is_some(), advances: true, ..declared }
     }
 
-    fn begin(&mut self, _at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
+    /// Writes the nodes at rest; their velocities vary linearly from end to end.
+    fn begin(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         own.states.fill(S::ZERO);
-        for (position, state) in self.start.iter().zip(own.states.chunks_exact_mut(3)) {
-            position.write_to(state);
+        let (positions, velocities) = own.states[..self.motions()].split_at_mut(self.motions() / 2);
+        if let Some(start) = &self.start {
+            return start.iter().zip(positions.chunks_exact_mut(3)).for_each(|(place, state)| place.write_to(state));
+        }
+        self.rest(at);
+        let [first, last] = [0, 1].map(|end| velocity(&self.ends[end], at));
+        let parts = (self.nodes.len() - 1) as f64;
+        for (k, (x, v)) in positions.chunks_exact_mut(3).zip(velocities.chunks_exact_mut(3)).enumerate() {
+            self.nodes.node(k + 1).position.write_to(x);
+            (first + (last - first) * S::constant((k + 1) as f64 / parts)).write_to(v);
         }
     }
 
     /// Adds the forces and inertias at both ends, and the power of damping and water.
     fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
-        self.evaluate(at);
+        if at.evaluation == EvaluationMode::Stepping {
+            self.evaluate_ends(at);
+        } else {
+            self.evaluate(at);
+        }
         loads.power.dissipated += self.nodes.dissipated;
         loads.power.outside += self.nodes.outside;
-        for (end, node) in self.ends.iter().zip([0, self.nodes.len() - 1]) {
+        for (end, node) in self.ends.iter().zip(self.end_nodes()) {
             self.pull(end, self.nodes.node(node), at, loads);
         }
     }
 
     fn rates(&mut self, at: &Context<'_, S>, rates: &mut [S]) {
-        let half = rates.len() / 2;
-        rates[..half].copy_from_slice(&at.states[half..]);
-        for (k, rate) in rates[half..].chunks_exact_mut(3).enumerate() {
+        let (motions, energies) = rates.split_at_mut(self.motions());
+        energies.copy_from_slice(&[self.on_ends, S::ZERO]);
+        if at.evaluation == EvaluationMode::Stepping {
+            return motions.fill(S::ZERO);
+        }
+        let half = motions.len() / 2;
+        motions[..half].copy_from_slice(&at.states[half..2 * half]);
+        for (k, rate) in motions[half..].chunks_exact_mut(3).enumerate() {
             self.nodes.node(k + 1).acceleration.write_to(rate);
         }
     }
@@ -133,18 +245,23 @@ impl<S: Scalar> Element<S> for DynamicLine<S> {
     /// Returns the energy of strain, weight and ground, and the kinetic energy of the nodes between the ends, J.
     fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         self.evaluate(at);
-        self.nodes.energy(&self.section, self.ground.as_ref(), at)
+        self.nodes.energy(&self.mesh, self.ground.as_ref(), at)
     }
 
     fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         self.evaluate(at);
         let [first, last] = self.nodes.end_tensions();
-        out.extend([first, last, self.nodes.grounded_length(at)]);
+        let lost = at.states[self.motions() + 1];
+        out.extend([first, last, self.nodes.grounded_length(&self.mesh, self.ground.as_ref()), lost]);
     }
 
     fn draw(&mut self, at: &Context<'_, S>, points: &mut Vec<S>) {
         self.evaluate(at);
-        shares().for_each(|share: f64| points.extend(self.nodes.at(share).0));
+        shares().for_each(|share: f64| points.extend(self.nodes.at(share, &self.mesh).0));
+    }
+
+    fn advancing(&mut self) -> Option<&mut dyn Advancing<S>> {
+        Some(self)
     }
 
     fn supports(&self) -> Vec<Support> {

@@ -1,7 +1,8 @@
 //! The nodes of a line: their motion, the forces on them, and their energy.
 
 use super::ground::LineGround;
-use super::section::{LineSection, PartMass, WaterForce};
+use super::mesh::{Mesh, MeshElement};
+use super::section::{PartMass, WetPart};
 use super::strain::{GAUSS, shapes, slopes, strained, sum};
 use crate::elements::Context;
 use crate::elements::lines::length_and_direction;
@@ -29,10 +30,10 @@ pub struct LineNode<S> {
 #[derive(Clone, Debug)]
 pub struct Nodes<S> {
     nodes: Vec<LineNode<S>>,
-    /// Length of an element, m.
-    element: S,
     /// Tensions at the points of Gauss's rule, N.
     tensions: Vec<S>,
+    /// Working memory: positions and tangents.
+    scratch: [Vec<Vector3<S>>; 2],
     /// Power that becomes heat, W.
     pub dissipated: S,
     /// Power of the water on the line, W; without the heat.
@@ -42,16 +43,15 @@ pub struct Nodes<S> {
 }
 
 impl<S: Scalar> Nodes<S> {
-    /// Allocates the memory for a line of this unstretched length.
-    pub fn new(count: usize, length: S) -> Self {
+    /// Allocates the memory for this odd number of nodes.
+    pub fn new(count: usize) -> Self {
         let zero = Vector3::zero();
         let mass = PartMass { across: S::ZERO, along: S::ZERO };
         let node = LineNode { position: zero, velocity: zero, tangent: zero, mass, force: zero, acceleration: zero };
-        let elements = count / 2;
         Self {
             nodes: vec![node; count],
-            element: length / S::constant(elements as f64),
-            tensions: Vec::with_capacity(2 * elements),
+            tensions: Vec::with_capacity(count - 1),
+            scratch: [Vec::with_capacity(count), vec![zero; count]],
             dissipated: S::ZERO,
             outside: S::ZERO,
             strain: S::ZERO,
@@ -74,106 +74,134 @@ impl<S: Scalar> Nodes<S> {
         (put.position, put.velocity, put.force) = (position, velocity, Vector3::zero());
     }
 
-    /// Returns the length of the line that belongs to a node by Simpson's rule, m.
-    fn length_at(&self, node: usize) -> S {
-        let sixths = match node {
-            _ if node % 2 == 1 => 4.0,
-            0 => 1.0,
-            _ if node + 1 == self.nodes.len() => 1.0,
-            _ => 2.0,
-        };
-        self.element * S::constant(sixths / 6.0)
-    }
-
     fn of_element<T>(&self, element: usize, part: impl Fn(&LineNode<S>) -> T) -> [T; 3] {
         [0, 1, 2].map(|k| part(&self.nodes[2 * element + k]))
     }
 
     /// Adds the forces of the tension, `-T t N_i' h / 2` at each point of Gauss's rule.
-    pub fn stretch(&mut self, section: &LineSection<S>) {
+    pub fn stretch(&mut self, mesh: &Mesh<S>) {
         self.tensions.clear();
         (self.dissipated, self.strain) = (S::ZERO, S::ZERO);
-        let half = self.element * S::constant(0.5);
         for element in 0..self.nodes.len() / 2 {
-            let positions = self.of_element(element, |node| node.position);
-            let velocities = self.of_element(element, |node| node.velocity);
-            for xi in [-GAUSS, GAUSS] {
-                let slopes = slopes(xi, self.element);
-                let found = strained(section, &slopes, &positions, &velocities);
-                let ([elastic, whole], [ratio, rate]) = (found.tension, found.ratio);
-                for (node, slope) in self.nodes[2 * element..].iter_mut().zip(slopes) {
-                    node.force -= found.tangent * (whole * slope * half);
-                }
-                self.dissipated += (whole - elastic) * rate * half;
-                self.strain += elastic * (ratio - S::ONE) * half * S::constant(0.5);
-                self.tensions.push(whole);
-            }
+            self.stretch_element(element, mesh);
         }
-        self.set_tangents();
+        let [positions, found] = &mut self.scratch;
+        positions.clear();
+        positions.extend(self.nodes.iter().map(|node| node.position));
+        tangents(positions, found);
+        self.nodes.iter_mut().zip(found).for_each(|(node, tangent)| node.tangent = *tangent);
     }
 
-    /// Sets the tangents: between the neighbours of a node, at the ends by the shape of the element.
-    fn set_tangents(&mut self) {
-        let last = self.nodes.len() - 1;
-        let slope_at = |nodes: &[LineNode<S>], first: usize, xi: f64| {
-            sum(&slopes(xi, self.element), &[0, 1, 2].map(|k| nodes[first + k].position))
-        };
-        for node in 0..=last {
-            let way = match node {
-                0 => slope_at(&self.nodes, 0, -1.0),
-                _ if node == last => slope_at(&self.nodes, last - 2, 1.0),
-                _ => self.nodes[node + 1].position - self.nodes[node - 1].position,
-            };
-            self.nodes[node].tangent = length_and_direction(way).1;
+    /// Adds the forces of the tension in an element.
+    fn stretch_element(&mut self, element: usize, mesh: &Mesh<S>) {
+        let MeshElement { length, section } = &mesh.elements[element];
+        let half = *length * S::constant(0.5);
+        let positions = self.of_element(element, |node| node.position);
+        let velocities = self.of_element(element, |node| node.velocity);
+        for xi in [-GAUSS, GAUSS] {
+            let slopes = slopes(xi, *length);
+            let found = strained(section, &slopes, &positions, &velocities);
+            let ([elastic, whole], [ratio, rate]) = (found.tension, found.ratio);
+            for (node, slope) in self.nodes[2 * element..].iter_mut().zip(slopes) {
+                node.force -= found.tangent * (whole * slope * half);
+            }
+            self.dissipated += (whole - elastic) * rate * half;
+            self.strain += elastic * (ratio - S::ONE) * half * S::constant(0.5);
+            self.tensions.push(whole);
         }
+    }
+
+    /// Adds the forces of the tension at the ends alone, in the first and the last element; returns their power on the ends, W.
+    pub fn stretch_ends(&mut self, mesh: &Mesh<S>) -> S {
+        self.tensions.clear();
+        let last = self.nodes.len() - 1;
+        self.stretch_element(0, mesh);
+        if last > 2 {
+            self.stretch_element(last / 2 - 1, mesh);
+        }
+        (self.dissipated, self.outside) = (S::ZERO, S::ZERO);
+        self.power_on_ends()
+    }
+
+    /// Returns the power of the forces so far on the ends, W.
+    pub fn power_on_ends(&self) -> S {
+        [0, self.nodes.len() - 1]
+            .map(|end| self.nodes[end].force.dot(self.nodes[end].velocity))
+            .into_iter()
+            .fold(S::ZERO, |sum, of_one| sum + of_one)
+    }
+
+    /// Adds weight, and the forces of water and ground, to an end in this water, whose motion is that of this time earlier (s).
+    pub fn load_end(
+        &mut self,
+        end: usize,
+        mesh: &Mesh<S>,
+        ground: Option<&LineGround<S>>,
+        (wet, later_s): (&WetPart<S>, f64),
+        at: &Context<'_, S>,
+    ) {
+        self.nodes[end].tangent = wet.tangent();
+        let (support, heat, _) = self.on_ground(end, mesh, ground);
+        self.put_loads(end, mesh.nodes[end].dry_mass(), wet, S::constant(later_s), (support, heat), at);
+    }
+
+    /// Adds weight, water and ground to a node, whose mass without water is given, kg.
+    fn put_loads(
+        &mut self,
+        i: usize,
+        dry: S,
+        wet: &WetPart<S>,
+        later_s: S,
+        (support, heat): (Vector3<S>, S),
+        at: &Context<'_, S>,
+    ) {
+        let node = &mut self.nodes[i];
+        let drag = wet.drag(node.velocity, later_s);
+        let (water, dissipated) = (wet.steady + drag.force, drag.force.dot(drag.relative));
+        node.mass = PartMass { across: dry + wet.added.across, along: dry + wet.added.along };
+        node.force += water + support;
+        node.force[2] -= dry * at.world.gravity;
+        self.dissipated += dissipated + heat;
+        self.outside += water.dot(node.velocity) + dissipated;
     }
 
     /// Adds weight, and the forces of water and ground; computes the accelerations between the ends.
-    pub fn load(&mut self, section: &LineSection<S>, ground: Option<&LineGround<S>>, at: &Context<'_, S>) {
+    pub fn load(&mut self, mesh: &Mesh<S>, ground: Option<&LineGround<S>>, at: &Context<'_, S>) {
         self.outside = S::ZERO;
         let last = self.nodes.len() - 1;
         for i in 0..=last {
-            let length = self.length_at(i);
             let LineNode { position, velocity, tangent, .. } = self.nodes[i];
-            let WaterForce { force: water, added, dissipated } =
-                section.in_water(at, length, (position, tangent, velocity));
-            let dry = section.mass_per_length * length;
-            let mass = PartMass { across: dry + added.across, along: dry + added.along };
-            let (support, heat, _) = self.on_ground(i, ground, at);
-            let node = &mut self.nodes[i];
-            node.mass = mass;
-            node.force += water + support;
-            node.force[2] -= dry * at.world.gravity;
-            self.dissipated += dissipated + heat;
-            self.outside += water.dot(velocity) + dissipated;
+            let part = &mesh.nodes[i];
+            let wet = part.section.in_water(at, part.length, (position, tangent));
+            let (support, heat, _) = self.on_ground(i, mesh, ground);
+            self.put_loads(i, part.dry_mass(), &wet, S::ZERO, (support, heat), at);
             if i == 0 || i == last {
                 continue;
             }
+            let node = &mut self.nodes[i];
             let along = tangent * tangent.dot(node.force);
-            node.acceleration = (node.force - along) * (S::ONE / mass.across) + along * (S::ONE / mass.along);
+            node.acceleration = (node.force - along) * (S::ONE / node.mass.across) + along * (S::ONE / node.mass.along);
             // The water's part of the inertia is outside of the line.
-            let of_water = node.acceleration * added.across
-                + tangent * ((added.along - added.across) * tangent.dot(node.acceleration));
+            let of_water = node.acceleration * wet.added.across
+                + tangent * ((wet.added.along - wet.added.across) * tangent.dot(node.acceleration));
             self.outside -= of_water.dot(velocity);
         }
     }
 
     /// Returns force, heat and energy of the ground at a node.
-    fn on_ground(&self, node: usize, ground: Option<&LineGround<S>>, at: &Context<'_, S>) -> (Vector3<S>, S, S) {
-        let (Some(ground), Some(depth)) = (ground, at.world.depth) else {
-            return (Vector3::zero(), S::ZERO, S::ZERO);
-        };
+    fn on_ground(&self, node: usize, mesh: &Mesh<S>, ground: Option<&LineGround<S>>) -> (Vector3<S>, S, S) {
+        let Some(ground) = ground else { return (Vector3::zero(), S::ZERO, S::ZERO) };
         let LineNode { position, velocity, .. } = self.nodes[node];
-        ground.support(self.length_at(node), -depth - position[2], velocity)
+        ground.support(mesh.nodes[node].length, -ground.depth - position[2], velocity)
     }
 
     /// Returns the energy of strain, weight and ground, and the kinetic energy between the ends, J.
-    pub fn energy(&self, section: &LineSection<S>, ground: Option<&LineGround<S>>, at: &Context<'_, S>) -> S {
+    pub fn energy(&self, mesh: &Mesh<S>, ground: Option<&LineGround<S>>, at: &Context<'_, S>) -> S {
         let last = self.nodes.len() - 1;
         (0..=last).fold(self.strain, |sum, i| {
-            let (node, mass) = (&self.nodes[i], section.mass_per_length * self.length_at(i));
+            let (node, mass) = (&self.nodes[i], mesh.nodes[i].dry_mass());
             let moves = if i == 0 || i == last { S::ZERO } else { node.velocity.norm_squared() * S::constant(0.5) };
-            sum + mass * (at.world.gravity * node.position[2] + moves) + self.on_ground(i, ground, at).2
+            sum + mass * (at.world.gravity * node.position[2] + moves) + self.on_ground(i, mesh, ground).2
         })
     }
 
@@ -187,20 +215,48 @@ impl<S: Scalar> Nodes<S> {
         [beyond(self.tensions[0], self.tensions[1]), beyond(self.tensions[count - 1], self.tensions[count - 2])]
     }
 
+    /// Returns the largest strain by the elastic tension; NaN if a tension is NaN.
+    pub fn largest_strain(&self, mesh: &Mesh<S>) -> S {
+        let strains = self
+            .tensions
+            .iter()
+            .enumerate()
+            .map(|(k, tension)| *tension / mesh.elements[k / 2].section.axial_stiffness);
+        strains.fold(S::ZERO, |most, strain| strain.select_less(most, || most, || strain))
+    }
+
     /// Returns the unstretched length of the line that lies on the ground, m.
-    pub fn grounded_length(&self, at: &Context<'_, S>) -> S {
-        let Some(depth) = at.world.depth else { return S::ZERO };
+    pub fn grounded_length(&self, mesh: &Mesh<S>, ground: Option<&LineGround<S>>) -> S {
+        let Some(depth) = ground.map(|ground| ground.depth) else { return S::ZERO };
         (0..self.nodes.len()).fold(S::ZERO, |sum, i| {
             let above = self.nodes[i].position[2] + depth;
-            sum + above.select_below(0.0, || self.length_at(i), || S::ZERO)
+            sum + above.select_below(0.0, || mesh.nodes[i].length, || S::ZERO)
         })
     }
 
     /// Returns the position at this share of the length, world, m.
-    pub fn at(&self, share: f64) -> Vector3<S> {
-        let elements = self.nodes.len() / 2;
-        let element = ((share * elements as f64) as usize).min(elements - 1);
-        let xi = 2.0 * (share * elements as f64 - element as f64) - 1.0;
+    pub fn at(&self, share: f64, mesh: &Mesh<S>) -> Vector3<S> {
+        let (mut from, mut element) = (0.0, 0);
+        let place = share * mesh.length.value();
+        while element + 1 < mesh.elements.len() && from + mesh.elements[element].length.value() < place {
+            from += mesh.elements[element].length.value();
+            element += 1;
+        }
+        let xi = 2.0 * (place - from) / mesh.elements[element].length.value() - 1.0;
         sum(&shapes(xi), &self.of_element(element, |node| node.position))
+    }
+}
+
+/// Writes the unit tangents at nodes: between the neighbours of a node, at the ends by the shape of the element.
+pub fn tangents<S: Scalar>(positions: &[Vector3<S>], out: &mut [Vector3<S>]) {
+    let last = positions.len() - 1;
+    let slope_at = |first: usize, xi: f64| sum(&slopes(xi, S::ONE), &[0, 1, 2].map(|k| positions[first + k]));
+    for (node, tangent) in out.iter_mut().enumerate() {
+        let way = match node {
+            0 => slope_at(0, -1.0),
+            _ if node == last => slope_at(last - 2, 1.0),
+            _ => positions[node + 1] - positions[node - 1],
+        };
+        *tangent = length_and_direction(way).1;
     }
 }

@@ -3,7 +3,7 @@
 use crate::elements::Context;
 use crate::elements::lines::length_and_direction;
 use crate::scalar::Scalar;
-use crate::spatial::Vector3;
+use crate::spatial::{Matrix3, Vector3};
 use crate::world::CurrentAt;
 use core::f64::consts::{FRAC_PI_4, PI};
 
@@ -36,15 +36,70 @@ pub struct PartMass<S> {
     pub along: S,
 }
 
-/// The force of the water on a part of a line at rest, and its power.
+impl<S: Scalar> PartMass<S> {
+    /// Returns the mass as a matrix, world axes, for a part with this unit tangent.
+    pub fn about(&self, tangent: Vector3<S>) -> Matrix3<S> {
+        Matrix3::identity().scaled(self.across) + Matrix3::outer(tangent, tangent).scaled(self.along - self.across)
+    }
+}
+
+/// A part of a line in water: the motion of the water, and the coefficients of its force.
 #[derive(Clone, Copy, Debug)]
-pub struct WaterForce<S> {
-    /// Buoyancy, drag, and the force of the accelerated water, N.
-    pub force: Vector3<S>,
+pub struct WetPart<S> {
+    /// Unit tangent of the part.
+    tangent: Vector3<S>,
+    /// Velocity of the water, m/s.
+    velocity: Vector3<S>,
+    /// Acceleration of the water, m/s^2.
+    acceleration: Vector3<S>,
+    /// Buoyancy and the force of the accelerated water, N.
+    pub steady: Vector3<S>,
     /// Added mass, kg.
     pub added: PartMass<S>,
-    /// Power of the drag that becomes heat, W.
-    pub dissipated: S,
+    /// Drag over the square of the relative speed, across and along, N s^2/m^2.
+    drag: [S; 2],
+}
+
+/// The drag on a part of a line.
+#[derive(Clone, Copy, Debug)]
+pub struct Drag<S> {
+    /// Force, N.
+    pub force: Vector3<S>,
+    /// Velocity of the water relative to the part, m/s.
+    pub relative: Vector3<S>,
+    /// Derivative of the force along the relative velocity, N s/m.
+    pub slope: Matrix3<S>,
+}
+
+impl<S: Scalar> WetPart<S> {
+    /// A part without water.
+    pub fn dry() -> Self {
+        let zero = Vector3::zero();
+        let added = PartMass { across: S::ZERO, along: S::ZERO };
+        Self { tangent: zero, velocity: zero, acceleration: zero, steady: zero, added, drag: [S::ZERO; 2] }
+    }
+
+    /// Returns the unit tangent of the part.
+    pub fn tangent(&self) -> Vector3<S> {
+        self.tangent
+    }
+
+    /// Returns the drag on the part at its velocity, this time (s) after that of the water's velocity.
+    pub fn drag(&self, velocity: Vector3<S>, later_s: S) -> Drag<S> {
+        let relative = self.velocity + self.acceleration * later_s - velocity;
+        let along = self.tangent.dot(relative);
+        let normal = relative - self.tangent * along;
+        let (speed, direction) = length_and_direction(normal);
+        let [across, tangential] = self.drag;
+        let along_speed = along.select_below(0.0, || -along, || along);
+        let tangents = Matrix3::outer(self.tangent, self.tangent);
+        let normals = Matrix3::identity() - tangents + Matrix3::outer(direction, direction);
+        Drag {
+            force: normal * (across * speed) + self.tangent * (tangential * along_speed * along),
+            relative,
+            slope: normals.scaled(across * speed) + tangents.scaled(tangential * along_speed * S::constant(2.0)),
+        }
+    }
 }
 
 impl<S: Scalar> LineSection<S> {
@@ -56,13 +111,20 @@ impl<S: Scalar> LineSection<S> {
         [elastic, elastic.select_below(f64::MIN_POSITIVE, || S::ZERO, || damped)]
     }
 
-    /// Returns the force of the water on a part of this length at a point, with its unit tangent and velocity.
-    pub fn in_water(
-        &self,
-        at: &Context<'_, S>,
-        length: S,
-        (point, tangent, velocity): (Vector3<S>, Vector3<S>, Vector3<S>),
-    ) -> WaterForce<S> {
+    /// Returns the mean tension of an interval at the stretch ratios at its ends, N, and its derivative along the ratio at
+    /// the end: the elastic part changes the energy of strain by its product with the change of the ratio.
+    pub fn mean_tension(&self, [before, after]: [S; 2], interval_s: S) -> ([S; 2], S) {
+        let (mean, slope) = mean_of_positive(before - S::ONE, after - S::ONE);
+        let elastic = self.axial_stiffness * mean;
+        let per_ratio = self.axial_stiffness * self.damping_time / interval_s;
+        let whole = elastic + per_ratio * (after - before);
+        let taut = |value: S| elastic.select_below(f64::MIN_POSITIVE, || S::ZERO, || value);
+        let pulls = |value: S| taut(whole.select_below(0.0, || S::ZERO, || value));
+        ([elastic, pulls(whole)], pulls(self.axial_stiffness * slope + per_ratio))
+    }
+
+    /// Returns a part of this length in the water at a point, with its unit tangent.
+    pub fn in_water(&self, at: &Context<'_, S>, length: S, (point, tangent): (Vector3<S>, Vector3<S>)) -> WetPart<S> {
         let half = S::constant(0.5);
         let density = at.world.water_density;
         let moving = at.world.waves.as_ref().filter(|_| at.evaluation.has_waves());
@@ -71,23 +133,40 @@ impl<S: Scalar> LineSection<S> {
             (waves.elevation_m, waves.velocity_m_s, waves.acceleration_m_s2)
         });
         let depth = point[2].select_below(0.0, || -point[2], || S::ZERO);
-        let water = by_waves + at.world.current_at(&CurrentAt::Depth(depth));
+        let velocity = by_waves + at.world.current_at(&CurrentAt::Depth(depth));
         let rise = tangent[2].select_below(0.0, || -tangent[2], || tangent[2]);
         let share = ((elevation - point[2]) / (length * rise + self.diameter) + half).clipped(S::ZERO, S::ONE);
         let wet = length * share;
         let displaced = density * self.diameter * self.diameter * wet * S::constant(FRAC_PI_4);
         let [across, along] = self.added_mass.map(|coefficient| coefficient * displaced);
-        let relative = water - velocity;
-        let [of_relative, of_acceleration] = [relative, acceleration].map(|vector| tangent.dot(vector));
-        let tangential = tangent * of_relative;
-        let normal = relative - tangential;
         let per_speed = half * density * self.diameter * wet;
-        let speed = |vector| length_and_direction(vector).0;
-        let drag = normal * (per_speed * self.drag[0] * speed(normal))
-            + tangential * (per_speed * S::constant(PI) * self.drag[1] * speed(tangential));
-        let inertial = acceleration * (displaced + across) + tangent * ((along - across) * of_acceleration);
+        let drag = [per_speed * self.drag[0], per_speed * S::constant(PI) * self.drag[1]];
+        let inertial = acceleration * (displaced + across) + tangent * ((along - across) * tangent.dot(acceleration));
         let buoyancy = Vector3::new(S::ZERO, S::ZERO, displaced * at.world.gravity);
         let added = PartMass { across, along };
-        WaterForce { force: buoyancy + drag + inertial, added, dissipated: drag.dot(relative) }
+        WetPart { tangent, velocity, acceleration, steady: buoyancy + inertial, added, drag }
     }
+}
+
+/// Difference of two numbers, as a share of 1, below which the mean of their positive parts is taken at both.
+const EQUAL: f64 = 1e-12;
+
+/// Returns the mean of max(x, 0) over the way from one number to another, which is the difference quotient of
+/// max(x, 0)^2 / 2, and its derivative along the second number.
+pub fn mean_of_positive<S: Scalar>(before: S, after: S) -> (S, S) {
+    let half = S::constant(0.5);
+    let positive = |x: S| x.select_below(0.0, || S::ZERO, || x);
+    let [a, b] = [positive(before), positive(after)];
+    let way = after - before;
+    let near = way.select_below(EQUAL, || way.select_below(-EQUAL, || S::ZERO, || S::ONE), || S::ZERO);
+    let one_sign = before.select_below(
+        0.0,
+        || after.select_below(0.0, || S::ONE, || S::ZERO),
+        || after.select_below(0.0, || S::ZERO, || S::ONE),
+    );
+    let both = (one_sign + near).select_below(0.5, || S::ZERO, || S::ONE);
+    let safe = both.select_below(0.5, || way, || S::ONE);
+    let quotient = (b * b - a * a) * half / safe;
+    let slope = after.select_below(0.0, || S::ZERO, || half);
+    (both.select_below(0.5, || quotient, || (a + b) * half), both.select_below(0.5, || (b - quotient) / safe, || slope))
 }

@@ -95,7 +95,7 @@ const SAME_DEPTH: f64 = 1e-9;
 
 /// Strain at the start above which a length, a stiffness or a weight is an error: steel parts at a much smaller strain,
 /// polyester at 0.12.
-const LARGEST_STRAIN: f64 = 0.1;
+pub(crate) const LARGEST_STRAIN: f64 = 0.1;
 
 /// Checks that at the start of a run fairleads are above the seabed, and that no line exceeds the largest strain.
 pub fn check_start<S: Quantity>(setup: &Setup<S>) -> Result<(), FieldError> {
@@ -133,7 +133,7 @@ fn check_strain<S: Quantity>(line: &CatenaryLine<S>, span: &Span<S>) -> Result<(
 }
 
 /// Returns an end relative to the centre of mass of its body; `None` if the body does not exist.
-fn end<S: Quantity>(
+pub(crate) fn end<S: Quantity>(
     scenario: &Scenario<S>,
     model: &Model<S>,
     field: &str,

@@ -3,7 +3,7 @@
 use super::drum::PaidOut;
 use super::release::is_off;
 use super::{BY_STRETCH, PARTED, PARTS, PathLength, RELEASED, Rope, SHORTEST, SLACK, TAUT};
-use crate::elements::{Context, ElementState, EvaluationMode};
+use crate::elements::{Context, ElementState};
 use crate::scalar::Scalar;
 
 /// A rope at a moment.
@@ -29,7 +29,7 @@ impl<S: Scalar> Rope<S> {
     pub(super) fn condition(&self, at: &Context<'_, S>) -> i64 {
         let begins = if self.begins_released { RELEASED } else { BY_STRETCH };
         let mode = at.modes.first().copied().unwrap_or(begins);
-        if at.evaluation == EvaluationMode::Running || is_off(mode) { mode } else { BY_STRETCH }
+        if at.evaluation.runs() || is_off(mode) { mode } else { BY_STRETCH }
     }
 
     /// Returns a length, m, that is positive if both the spring and the spring with its damper pull.

@@ -305,5 +305,5 @@ fn outputs(name: &str, holds_water: bool) -> Vec<Output> {
 
 /// Whether solids have phases in this mode of evaluation. At rest the level determines the law.
 fn has_phases(evaluation: EvaluationMode) -> bool {
-    evaluation == EvaluationMode::Running
+    evaluation.runs()
 }

@@ -168,7 +168,7 @@ impl<S: Scalar> DormandPrince<S> {
             let h = interval.end_s - start_s;
             let base = Stage { time_s: start_s, interval, q, v, s, d: &state.d, m: &state.m };
             stages.stand_on(base);
-            stages.go_on(system, base);
+            stages.go_on(system, base)?;
             let error = error(stages, controller.tolerances, h, v);
             if controller.accepts(interval, error)? {
                 *inner = interval;

@@ -33,6 +33,7 @@ use crate::elements::drives::assembly as drives;
 use crate::elements::drives::assembly::cylinders;
 use crate::elements::dynamic_positioning::assembly as positioning;
 use crate::elements::hull::assembly as water;
+use crate::elements::line::assembly as line;
 use crate::elements::lines::assembly as lines;
 use crate::elements::operation::assembly as operation;
 use crate::elements::ropes::assembly::at_start as ropes_at_start;
@@ -124,6 +125,7 @@ fn open<S: Quantity>(scenario: &Scenario<S>) -> Result<Setup<S>, FieldError> {
     operation::add(scenario, &mut setup, controllers)?;
     setup.limits = limits::of(scenario, &setup)?;
     lines::check_start(&setup)?;
+    line::check_start(&setup)?;
     Ok(setup)
 }
 

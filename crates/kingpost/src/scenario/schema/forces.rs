@@ -3,8 +3,9 @@
 use kingpost_derive::fields;
 
 use crate::scenario::schema::{
-    CatenaryLine, Contact, CurrentLoad, DynamicPositioning, FreeFloodingTank, Gravity, Hydrodynamics, QuadraticDamping,
-    Rope, SlackTank, SoftHold, SpringLine, Submerged, TrailingEdge, TuggerLine, UTank, ViscousDamping, WindLoad,
+    CatenaryLine, Contact, CurrentLoad, DynamicLine, DynamicPositioning, FreeFloodingTank, Gravity, Hydrodynamics,
+    QuadraticDamping, Rope, SlackTank, SoftHold, SpringLine, Submerged, TrailingEdge, TuggerLine, UTank,
+    ViscousDamping, WindLoad,
 };
 
 /// Forces that act on the bodies from outside.
@@ -33,6 +34,8 @@ pub enum Force<S = f64> {
     SpringLine(SpringLine<S>),
     /// A mooring line that hangs, and may lie on the seabed.
     CatenaryLine(CatenaryLine<S>),
+    /// A wire or chain with mass and drag: a mooring line, a hoisting wire in deep water.
+    Line(Box<DynamicLine<S>>),
     /// A rope over sheaves, which a drum may wind up.
     Rope(Box<Rope<S>>),
     /// A line whose winch keeps its tension: a tugger line or a tag line.

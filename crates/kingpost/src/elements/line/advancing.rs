@@ -1,0 +1,55 @@
+//! A line in the stages of an explicit scheme.
+
+use super::DynamicLine;
+use super::step::{Booked, CONVERGED, MOST_ITERATIONS};
+use crate::elements::lines::place;
+use crate::elements::{Advancing, Context, NotAdvanced};
+use crate::scalar::Scalar;
+
+impl<S: Scalar> DynamicLine<S> {
+    /// Computes the forces on the nodes at the ends at a stage, to which the line was advanced; the water is that of the
+    /// middle of the step.
+    pub(super) fn evaluate_ends(&mut self, at: &Context<'_, S>) {
+        self.put_nodes(at, at.states);
+        self.on_ends = self.nodes.stretch_ends(&self.mesh);
+        for node in self.end_nodes() {
+            let water = self.step.water_at(node, at.clock.time_s);
+            self.nodes.load_end(node, &self.mesh, self.ground.as_ref(), water, at);
+        }
+    }
+}
+
+impl<S: Scalar> Advancing<S> for DynamicLine<S> {
+    fn begin_step(&mut self, at: &Context<'_, S>, states: &[S]) {
+        self.put_nodes(at, states);
+        self.at_base = [states[self.motions()], states[self.motions() + 1]];
+        self.step.begin(&self.nodes, &self.mesh, at);
+    }
+
+    fn advance(&mut self, at: &Context<'_, S>, states: &mut [S]) -> Result<(), NotAdvanced> {
+        let ends = [0, 1].map(|end| place(&self.ends[end], at.model, at.links));
+        self.step.advance(&self.mesh, self.ground.as_ref(), ends, at.clock.time_s).map_err(|move_m| NotAdvanced {
+            move_m,
+            allowed_m: CONVERGED * self.mesh.shortest().value(),
+            iterations: MOST_ITERATIONS,
+        })?;
+        let motions = self.motions();
+        let (positions, velocities) = states[..motions].split_at_mut(motions / 2);
+        for (k, (x, v)) in positions.chunks_exact_mut(3).zip(velocities.chunks_exact_mut(3)).enumerate() {
+            self.step.position(k + 1).write_to(x);
+            self.step.velocity(k + 1).write_to(v);
+        }
+        Ok(())
+    }
+
+    /// Returns heat and work of the water, J. The heat contains the energy that the scheme loses: the ends get the work of
+    /// the tension by the scheme of the bodies, the line gives it by its implicit rule.
+    fn end_step(&mut self, states: &mut [S]) -> [S; 2] {
+        let Booked { dissipated, outside, on_ends } = self.step.booked(&self.mesh, self.ground.as_ref());
+        let [worked, lost] = self.at_base;
+        let motions = self.motions();
+        let lost_now = on_ends - (states[motions] - worked);
+        states[motions + 1] = lost + lost_now;
+        [dissipated + lost_now, outside]
+    }
+}

@@ -1,0 +1,97 @@
+//! Lines with mass.
+
+use kingpost_derive::fields;
+
+use crate::scenario::leaf::Leaf;
+use crate::scenario::schema::{NonNegative, Pin, Positive, yes};
+
+/// A wire or chain with mass between two points on bodies or in the world: a mooring line, a hoisting wire in deep water.
+/// It has axial stiffness and damping, weight, buoyancy, added mass and drag in waves and current, and can lie on the seabed;
+/// it has no bending stiffness. A run begins with the line at rest between its ends.
+///
+/// With `rk4` and `euler` the line is advanced implicitly within each step, so that its axial waves do not limit the step;
+/// `dormand_prince` resolves them.
+#[fields]
+pub struct DynamicLine<S = f64> {
+    /// Whether the element acts.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// One end: a fairlead, a crane's tip.
+    pub first: Pin<S>,
+    /// The other end: an anchor in the `world`, or a point of another body.
+    pub second: Pin<S>,
+    /// Its sections, from the first end.
+    pub sections: Vec<DynamicLineSection<S>>,
+    /// The level seabed on which it can lie; without it, the line does not touch the seabed.
+    pub seabed: Option<LineSeabed<S>>,
+}
+
+/// A section of a line, with the same properties along it.
+#[fields]
+pub struct DynamicLineSection<S = f64> {
+    /// Length without tension, m.
+    pub unstretched_length_m: Positive<S>,
+    /// Number of its elements, each with two nodes: the error falls with the fourth power of the number.
+    pub elements: usize,
+    /// Mass, kg/m.
+    pub mass_kg_per_m: Positive<S>,
+    /// Diameter of the circular section that displaces the same volume of water, m. That of a chain is 1.8 times the
+    /// diameter of its bar without studs.
+    pub diameter_m: Positive<S>,
+    /// EA: tension per strain, N.
+    pub axial_stiffness_n: Positive<S>,
+    /// tau: axial damping over stiffness, s. The tension is EA (e + tau e') at the strain e: at the period T the damping is
+    /// pi tau / T of the critical one. Without damping, axial waves that are shorter than the step ring.
+    #[serde(default = "damping_time::<S>")]
+    pub damping_time_s: NonNegative<S>,
+    /// Added mass over the mass of the displaced water, across the line.
+    #[serde(default = "one::<S>")]
+    pub added_mass_across: NonNegative<S>,
+    /// Added mass over the mass of the displaced water, along the line.
+    #[serde(default)]
+    pub added_mass_along: NonNegative<S>,
+    /// Drag coefficient of the flow across the line, with the area of diameter times length: 1.2 for a wire, 2.4 for a chain
+    /// over its bar diameter, which is 1.3 over the diameter of the displaced water (DNV-OS-E301).
+    #[serde(default = "drag_across::<S>")]
+    pub drag_across: NonNegative<S>,
+    /// Drag coefficient of the flow along the line, with the area of pi times diameter times length.
+    #[serde(default)]
+    pub drag_along: NonNegative<S>,
+}
+
+/// The seabed under a line.
+#[fields]
+pub struct LineSeabed<S = f64> {
+    /// Its depth below the still waterline, m; without it, that of the sea.
+    pub depth_m: Option<Positive<S>>,
+    /// Coefficient of Coulomb friction, along and across the line.
+    pub friction: NonNegative<S>,
+    /// Pressure per depth of penetration, N/m^3: the force per length is this times the diameter times the depth.
+    #[serde(default = "seabed_stiffness::<S>")]
+    pub stiffness_n_per_m3: Positive<S>,
+    /// Pressure per speed of penetration, N s/m^3.
+    #[serde(default = "seabed_damping::<S>")]
+    pub damping_n_s_per_m3: NonNegative<S>,
+}
+
+/// 0.4 % of critical damping at 8 s, as of steel wire.
+fn damping_time<S: Leaf>() -> NonNegative<S> {
+    NonNegative::literal(0.01)
+}
+
+fn one<S: Leaf>() -> NonNegative<S> {
+    NonNegative::literal(1.0)
+}
+
+fn drag_across<S: Leaf>() -> NonNegative<S> {
+    NonNegative::literal(1.2)
+}
+
+/// The defaults of MoorDyn 2.
+fn seabed_stiffness<S: Leaf>() -> Positive<S> {
+    Positive::literal(3e6)
+}
+
+fn seabed_damping<S: Leaf>() -> NonNegative<S> {
+    NonNegative::literal(3e5)
+}

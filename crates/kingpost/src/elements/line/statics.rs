@@ -1,0 +1,178 @@
+//! The shape of a line at rest, between given ends.
+
+use super::blocks::Blocks;
+use super::ground::LineGround;
+use super::mesh::{Mesh, MeshElement};
+use super::nodes::tangents;
+
+use super::strain::{GAUSS, slopes, strained};
+use crate::elements::Context;
+use crate::elements::lines::{Catenary, Span};
+use crate::scalar::Scalar;
+use crate::spatial::{Matrix3, Vector3};
+use core::f64::consts::FRAC_PI_4;
+
+/// Last move of a node, as a share of the length of the line, at which Newton's method has converged: its square is below
+/// rounding.
+const CONVERGED: f64 = 1e-9;
+/// Largest number of iterations; 5 to 10 are usual.
+const MOST_ITERATIONS: usize = 500;
+/// Longest move of a node in an iteration, as a share of the length of an element.
+const LONGEST_MOVE: f64 = 0.5;
+/// Stiffness that holds a node where it is, over its weight per length of the line: a line that lies slack on the ground has
+/// no other along the ground. It slows the convergence of the softest motions by about this share.
+const HOLD: f64 = 1e-4;
+/// Share of EA that holds the nodes of a line without weight.
+const LIGHT: f64 = 1e-12;
+/// Horizontal distance between the ends of the catenary, as a share of the length, at least.
+const NEAREST: f64 = 1e-6;
+/// Iterations after convergence that complete the derivatives: each adds four digits, by [`HOLD`].
+const FOR_DERIVATIVES: usize = 3;
+
+/// The nodes of a line at rest, from its last solution on.
+#[derive(Clone, Debug)]
+pub struct LineStatics<S> {
+    positions: Vec<Vector3<S>>,
+    tangents: Vec<Vector3<S>>,
+    moves: Vec<Vector3<S>>,
+    blocks: Blocks<S>,
+    /// Whether there is a solution.
+    found: bool,
+}
+
+impl<S: Scalar> LineStatics<S> {
+    /// Allocates the memory for this number of nodes.
+    pub fn new(count: usize) -> Self {
+        let zero = vec![Vector3::zero(); count];
+        Self { positions: zero.clone(), tangents: zero.clone(), moves: zero, blocks: Blocks::new(count), found: false }
+    }
+
+    /// Returns the positions of the nodes at rest, between ends at these positions, by Newton's method; it starts from the
+    /// last solution, or from the catenary.
+    pub fn solve(
+        &mut self,
+        mesh: &Mesh<S>,
+        ground: Option<&LineGround<S>>,
+        ends: [Vector3<S>; 2],
+        at: &Context<'_, S>,
+    ) -> &[Vector3<S>] {
+        if !self.found {
+            hang(mesh, ground, ends, at, &mut self.positions);
+        }
+        let plain = |x: S| S::from_values([x], &|x| x)[0];
+        let last = self.positions.len() - 1;
+        self.positions.iter_mut().for_each(|place| *place = Vector3(place.0.map(plain)));
+        (self.positions[0], self.positions[last]) = (ends[0], ends[1]);
+        let (limit, longest) = (mesh.length * S::constant(CONVERGED), mesh.shortest() * S::constant(LONGEST_MOVE));
+        let (mut goes_on, mut more) = (S::ONE, if S::HAS_DERIVATIVES { FOR_DERIVATIVES } else { 0 });
+        self.found = false;
+        for _ in 0..MOST_ITERATIONS {
+            self.assemble(mesh, ground, at);
+            self.blocks.solve(&mut self.moves);
+            let larger = |a: S, b: S| b.select_less(a, || a, || b);
+            let size = self.moves.iter().fold(S::ZERO, |most, way| larger(most, way.norm_squared())).sqrt();
+            let share = size.select_less(longest, || S::ONE, || plain(longest / size));
+            for (place, way) in self.positions.iter_mut().zip(&self.moves) {
+                let moved = |k: usize| goes_on.select_below(0.5, || place[k], || place[k] + way[k] * share);
+                *place = Vector3([moved(0), moved(1), moved(2)]);
+            }
+            let rests = size.select_less(limit, || S::ONE, || S::ZERO);
+            if more > 0 && rests.all(|rests| rests == 1.0) {
+                more -= 1;
+                continue;
+            }
+            goes_on = rests.select_below(0.5, || goes_on, || S::ZERO);
+            if goes_on.all(|goes_on| goes_on == 0.0) {
+                self.found = true;
+                return &self.positions;
+            }
+        }
+        self.positions.fill(Vector3(core::array::from_fn(|_| S::constant(f64::NAN))));
+        &self.positions
+    }
+
+    /// Writes the equations of Newton's method.
+    fn assemble(&mut self, mesh: &Mesh<S>, ground: Option<&LineGround<S>>, at: &Context<'_, S>) {
+        self.blocks.clear();
+        tangents(&self.positions, &mut self.tangents);
+        let still = [Vector3::zero(); 3];
+        for k in 0..self.positions.len() - 1 {
+            let MeshElement { length, section } = &mesh.elements[k / 2];
+            let half = *length * S::constant(0.5);
+            let slopes = slopes(if k % 2 == 0 { -GAUSS } else { GAUSS }, *length);
+            let places = [0, 1, 2].map(|i| self.positions[k / 2 * 2 + i]);
+            let found = strained(section, &slopes, &places, &still);
+            let ([tension, _], [ratio, _], tangent) = (found.tension, found.ratio, found.tangent);
+            let rise = tension.select_below(f64::MIN_POSITIVE, || S::ZERO, || section.axial_stiffness);
+            let along = Matrix3::outer(tangent, tangent);
+            let stiffness = along.scaled(rise) + (Matrix3::identity() - along).scaled(tension / ratio);
+            self.blocks.add_at(k / 2, &slopes, &stiffness.scaled(half), -(tangent * (tension * half)));
+        }
+        for node in 1..self.positions.len() - 1 {
+            let (place, part) = (self.positions[node], &mesh.nodes[node]);
+            let wet = part.section.in_water(at, part.length, (place, self.tangents[node]));
+            let weight = part.dry_mass() * at.world.gravity;
+            let hold = (weight + part.section.axial_stiffness * S::constant(LIGHT)) / mesh.length * S::constant(HOLD);
+            let mut force = wet.steady + wet.drag(Vector3::zero(), S::ZERO).force;
+            force[2] -= weight;
+            let mut stiffness = Matrix3::identity().scaled(hold);
+            if let Some(ground) = ground {
+                let under = -ground.depth - place[2];
+                force += ground.support(part.length, under, Vector3::zero()).0;
+                let stiff = ground.stiffness_per_length * part.length;
+                stiffness.0[2][2] += under.select_below(0.0, || S::ZERO, || stiff);
+            }
+            self.blocks.add(node, stiffness, force);
+        }
+    }
+}
+
+/// Writes nodes of the elastic catenary with the mean properties of the line, between two ends; those of a straight line if
+/// the line floats.
+fn hang<S: Scalar>(
+    mesh: &Mesh<S>,
+    ground: Option<&LineGround<S>>,
+    [first, last]: [Vector3<S>; 2],
+    at: &Context<'_, S>,
+    nodes: &mut [Vector3<S>],
+) {
+    let is_up = (last[2] - first[2]).all(|up| up < 0.0);
+    let [upper, lower] = if is_up { [first, last] } else { [last, first] };
+    let way = upper - lower;
+    let across = (way[0] * way[0] + way[1] * way[1]).sqrt();
+    let least = mesh.length * S::constant(NEAREST);
+    let span = Span { across: across.select_less(least, || least, || across), up: way[2] };
+    let ground = ground.map(|ground| ground.depth);
+    let lies = ground.is_some_and(|depth| (lower[2] + depth).all(|above| above <= 0.0));
+    let shape = mean_catenary(mesh, lies, at);
+    let sinks = shape.weight.all(|weight| weight > 0.0);
+    let force = shape.force(&span);
+    let mut along = S::ZERO;
+    for (k, node) in nodes.iter_mut().enumerate() {
+        let share = along / mesh.length;
+        if let Some(element) = mesh.elements.get(k / 2) {
+            along += element.length * S::constant(0.5);
+        }
+        if !sinks {
+            *node = first + (last - first) * share;
+            continue;
+        }
+        let place = shape.place(&force, &span, if is_up { S::ONE - share } else { share });
+        let across = place.across / span.across;
+        let height = lower[2] + place.up;
+        let height = ground.map_or(height, |depth| (height + depth).select_below(0.0, || -depth, || height));
+        *node = Vector3::new(lower[0] + way[0] * across, lower[1] + way[1] * across, height);
+    }
+}
+
+/// Returns the catenary with the mean weight in water and the stiffness of the line.
+fn mean_catenary<S: Scalar>(mesh: &Mesh<S>, on_seabed: bool, at: &Context<'_, S>) -> Catenary<S> {
+    let (mut weight, mut compliance) = (S::ZERO, S::ZERO);
+    for MeshElement { length, section } in &mesh.elements {
+        let displaced = at.world.water_density * section.diameter * section.diameter * S::constant(FRAC_PI_4);
+        weight += (section.mass_per_length - displaced) * at.world.gravity * *length;
+        compliance += *length / section.axial_stiffness;
+    }
+    let (unstretched_length, axial_stiffness) = (mesh.length, mesh.length / compliance);
+    Catenary { unstretched_length, weight: weight / mesh.length, axial_stiffness, on_seabed }
+}

@@ -1,0 +1,291 @@
+//! A line over a part of a step, by the implicit midpoint rule: its axial waves do not limit the step of the ship.
+//!
+//! From the base of the step, where positions and velocities are `x_0` and `v_0`, to a time H later, where the ends have
+//! moved with their bodies, the nodes between the ends move by
+//!
+//! ```text
+//! M (v_1 - v_0) / H = F,      (x_1 - x_0) / H = (v_0 + v_1) / 2
+//! ```
+//!
+//! F is the mean force of the interval. Tension and ground have discrete gradients (Simo & Tarnow, *ZAMP* 43, 1992; Gonzalez,
+//! *J. Nonlinear Sci.* 6, 1996): their work is the change of their energy, so that the rule neither gains nor loses energy,
+//! at any H. Tangents, added masses and the water's motion are those of the middle of the step, predicted with `v_0`. The
+//! rule has second order. Newton's method solves for `x_1`, with exact derivatives.
+
+use super::blocks::Blocks;
+use super::ground::LineGround;
+use super::mesh::Mesh;
+use super::nodes::{Nodes, tangents};
+use super::section::WetPart;
+use super::strain::{GAUSS, slopes, sum};
+use crate::dynamics::Clock;
+use crate::elements::Context;
+use crate::elements::lines::length_and_direction;
+use crate::scalar::Scalar;
+use crate::spatial::{Matrix3, Vector3};
+
+/// Last move of a node, as a share of the length of an element, at which Newton's method has converged: the next move would
+/// be about the square of this share.
+pub const CONVERGED: f64 = 1e-5;
+/// Largest number of iterations; 2 or 3 are usual, more if nodes touch the ground or become slack.
+pub const MOST_ITERATIONS: usize = 40;
+
+/// A node at the base of the step, with what does not change over it.
+#[derive(Clone, Debug)]
+struct BaseNode<S> {
+    position: Vector3<S>,
+    velocity: Vector3<S>,
+    /// Unstretched length of the line that belongs to it, m.
+    length: S,
+    /// Mass with the added mass, kg.
+    mass: Matrix3<S>,
+    /// Added mass, kg.
+    added: Matrix3<S>,
+    /// Weight in air, N.
+    weight: S,
+    wet: WetPart<S>,
+}
+
+/// Energy of a line over a part of a step, J.
+#[derive(Clone, Copy, Debug)]
+pub struct Booked<S> {
+    /// Heat of damping, water and ground.
+    pub dissipated: S,
+    /// Work of the water, without the heat.
+    pub outside: S,
+    /// Work of the line's tension on its ends.
+    pub on_ends: S,
+}
+
+/// The loads on a node over a part of a step.
+struct NodeLoads<S> {
+    force: Vector3<S>,
+    /// Derivative of the force along the position at the end, with the sign changed, N/m.
+    slope: Matrix3<S>,
+    /// Force of the water, N.
+    water: Vector3<S>,
+    /// Heat of drag and of the ground, J.
+    heat: [S; 2],
+}
+
+/// A step of a line: its base, and the last point to which it was advanced.
+#[derive(Clone, Debug)]
+pub struct LineStep<S> {
+    base: Vec<BaseNode<S>>,
+    /// Derivative of the position along the line, and its length, at the base, at the points of Gauss's rule.
+    stretched: Vec<(Vector3<S>, S)>,
+    next: Vec<Vector3<S>>,
+    moves: Vec<Vector3<S>>,
+    blocks: Blocks<S>,
+    /// Start and middle of the step, and time to the last point, s.
+    clock: [f64; 3],
+}
+
+impl<S: Scalar> LineStep<S> {
+    /// Allocates the memory for this number of nodes.
+    pub fn new(count: usize) -> Self {
+        let (zero, none) = (Vector3::zero(), Matrix3::zero());
+        let node = BaseNode {
+            position: zero,
+            velocity: zero,
+            length: S::ZERO,
+            mass: none,
+            added: none,
+            weight: S::ZERO,
+            wet: WetPart::dry(),
+        };
+        Self {
+            base: vec![node; count],
+            stretched: vec![(zero, S::ZERO); count - 1],
+            next: vec![zero; count],
+            moves: vec![zero; count],
+            blocks: Blocks::new(count),
+            clock: [0.0; 3],
+        }
+    }
+
+    /// Begins a step at the motion of these nodes; the context is that of its start.
+    pub fn begin(&mut self, nodes: &Nodes<S>, mesh: &Mesh<S>, at: &Context<'_, S>) {
+        let Clock { time_s, middle_s } = at.clock;
+        let half = S::constant(middle_s - time_s);
+        self.clock = [time_s, middle_s, 0.0];
+        for (i, (base, next)) in self.base.iter_mut().zip(&mut self.next).enumerate() {
+            let node = nodes.node(i);
+            (base.position, base.velocity, base.length) = (node.position, node.velocity, mesh.nodes[i].length);
+            *next = node.position + node.velocity * half;
+        }
+        tangents(&self.next, &mut self.moves);
+        let mut at = *at;
+        at.clock.time_s = middle_s;
+        for (i, (base, part)) in self.base.iter_mut().zip(&mesh.nodes).enumerate() {
+            let (place, tangent, dry) = (self.next[i], self.moves[i], part.dry_mass());
+            base.wet = part.section.in_water(&at, part.length, (place, tangent));
+            base.added = base.wet.added.about(tangent);
+            base.mass = base.added + Matrix3::identity().scaled(dry);
+            base.weight = dry * at.world.gravity;
+        }
+        for (k, stretched) in self.stretched.iter_mut().enumerate() {
+            let positions = [0, 1, 2].map(|i| self.base[k / 2 * 2 + i].position);
+            let way = sum(&slopes(point(k), mesh.elements[k / 2].length), &positions);
+            *stretched = (way, way.norm());
+        }
+    }
+
+    /// Returns the water about a node, and the time from its motion to a time, s.
+    pub fn water_at(&self, node: usize, time_s: f64) -> (&WetPart<S>, f64) {
+        (&self.base[node].wet, time_s - self.clock[1])
+    }
+
+    /// Moves the nodes to a time, at which the ends are at these positions.
+    ///
+    /// # Errors
+    /// The last move of the iteration, m, if it does not converge.
+    pub fn advance(
+        &mut self,
+        mesh: &Mesh<S>,
+        ground: Option<&LineGround<S>>,
+        ends: [Vector3<S>; 2],
+        time_s: f64,
+    ) -> Result<(), f64> {
+        let interval_s = time_s - self.clock[0];
+        self.predict(interval_s, ends);
+        let limit = mesh.shortest() * S::constant(CONVERGED);
+        let (mut goes_on, mut last) = (S::ONE, S::ZERO);
+        for _ in 0..MOST_ITERATIONS {
+            self.assemble(mesh, ground, S::constant(interval_s));
+            self.blocks.solve(&mut self.moves);
+            let larger = |a: S, b: S| a.select_less(b, || b, || a);
+            last = self.moves.iter().fold(S::ZERO, |most, way| larger(most, way.norm_squared()));
+            for (next, way) in self.next.iter_mut().zip(&self.moves) {
+                let moved = |k: usize| goes_on.select_below(0.5, || next[k], || next[k] + way[k]);
+                *next = Vector3([moved(0), moved(1), moved(2)]);
+            }
+            // A lane that has converged stays, as if it were alone.
+            let sum = self.moves.iter().fold(S::ZERO, |sum, way| sum + way.norm_squared());
+            let number = (sum - sum).select_below(0.5, || S::ONE, || S::ZERO);
+            let rests = last.select_less(limit * limit, || number, || S::ZERO);
+            goes_on = rests.select_below(0.5, || goes_on, || S::ZERO);
+            if goes_on.all(|goes_on| goes_on == 0.0) {
+                return Ok(());
+            }
+        }
+        Err(last.sqrt().value())
+    }
+
+    /// Sets the first guess: along the way to the last point of this step, or with the velocities at the base.
+    fn predict(&mut self, interval_s: f64, [first, last]: [Vector3<S>; 2]) {
+        let [_, _, before_s] = self.clock;
+        let (ratio, interval) = (S::constant(interval_s / before_s), S::constant(interval_s));
+        for (base, next) in self.base.iter().zip(&mut self.next) {
+            let way = if before_s > 0.0 { (*next - base.position) * ratio } else { base.velocity * interval };
+            *next = base.position + way;
+        }
+        let end = self.next.len() - 1;
+        (self.next[0], self.next[end], self.clock[2]) = (first, last, interval_s);
+    }
+
+    /// Writes the equations of Newton's method.
+    fn assemble(&mut self, mesh: &Mesh<S>, ground: Option<&LineGround<S>>, interval: S) {
+        self.blocks.clear();
+        for k in 0..self.stretched.len() {
+            let half = mesh.elements[k / 2].length * S::constant(0.5);
+            let (slopes, _) = self.stretched_to(k, mesh);
+            let (direction, [_, whole], stiffness) = self.pull(k, mesh, interval);
+            self.blocks.add_at(k / 2, &slopes, &stiffness.scaled(half), -(direction * (whole * half)));
+        }
+        let (per_s, two) = (S::ONE / interval, S::constant(2.0));
+        for i in 1..self.base.len() - 1 {
+            let NodeLoads { force, slope, .. } = self.loads(i, ground, interval);
+            let inertia = self.base[i].mass.scaled(two * per_s * per_s);
+            let balance = force - inertia * (self.way(i) - self.base[i].velocity * interval);
+            self.blocks.add(i, inertia + slope, balance);
+        }
+    }
+
+    fn way(&self, node: usize) -> Vector3<S> {
+        self.next[node] - self.base[node].position
+    }
+
+    /// Returns the slopes of the shape functions at a point of Gauss's rule, and the derivative of the position there.
+    fn stretched_to(&self, k: usize, mesh: &Mesh<S>) -> ([S; 3], Vector3<S>) {
+        let slopes = slopes(point(k), mesh.elements[k / 2].length);
+        (slopes, sum(&slopes, &[0, 1, 2].map(|i| self.next[k / 2 * 2 + i])))
+    }
+
+    /// Returns the direction of the mean tension at a point of Gauss's rule, its elastic and its whole value (N), and the
+    /// derivative of the force along the derivative of the position.
+    fn pull(&self, k: usize, mesh: &Mesh<S>, interval: S) -> (Vector3<S>, [S; 2], Matrix3<S>) {
+        let (before, ratio_before) = self.stretched[k];
+        let (_, after) = self.stretched_to(k, mesh);
+        let (ratio, tangent) = length_and_direction(after);
+        let (tension, rise) = mesh.elements[k / 2].section.mean_tension([ratio_before, ratio], interval);
+        let per_sum = S::ONE / (ratio_before + ratio);
+        let direction = (before + after) * per_sum;
+        let across = Matrix3::identity() - Matrix3::outer(direction, tangent);
+        let stiffness = Matrix3::outer(direction * rise, tangent) + across.scaled(tension[1] * per_sum);
+        (direction, tension, stiffness)
+    }
+
+    /// Returns the mean loads on a node between the ends.
+    fn loads(&self, node: usize, ground: Option<&LineGround<S>>, interval: S) -> NodeLoads<S> {
+        let (base, way) = (&self.base[node], self.way(node));
+        let per_s = S::ONE / interval;
+        let later = S::constant(self.clock[0] - self.clock[1]) + interval * S::constant(0.5);
+        let drag = base.wet.drag(way * per_s, later);
+        let water = base.wet.steady + drag.force;
+        let mut loads = NodeLoads {
+            force: water - Vector3::new(S::ZERO, S::ZERO, base.weight),
+            slope: drag.slope.scaled(per_s),
+            water,
+            heat: [drag.force.dot(drag.relative) * interval, S::ZERO],
+        };
+        if let Some(ground) = ground {
+            let depths = [base.position[2], self.next[node][2]].map(|z| -ground.depth - z);
+            let (support, heat, slope) = ground.mean_support(base.length, depths, way, interval);
+            loads.force += support;
+            loads.slope += slope;
+            loads.heat[1] = heat;
+        }
+        loads
+    }
+
+    /// Returns the energy of the line over the interval to the last point.
+    pub fn booked(&self, mesh: &Mesh<S>, ground: Option<&LineGround<S>>) -> Booked<S> {
+        let interval = S::constant(self.clock[2]);
+        let mut booked = Booked { dissipated: S::ZERO, outside: S::ZERO, on_ends: S::ZERO };
+        let end = self.base.len() - 1;
+        for k in 0..self.stretched.len() {
+            let half = mesh.elements[k / 2].length * S::constant(0.5);
+            let (slopes, after) = self.stretched_to(k, mesh);
+            let (direction, [elastic, whole], _) = self.pull(k, mesh, interval);
+            booked.dissipated += (whole - elastic) * (after.norm() - self.stretched[k].1) * half;
+            for (slope, node) in slopes.iter().zip(k / 2 * 2..).filter(|(_, node)| *node == 0 || *node == end) {
+                booked.on_ends -= direction.dot(self.way(node)) * (whole * half * *slope);
+            }
+        }
+        for i in 1..end {
+            let NodeLoads { water, heat: [of_drag, of_ground], .. } = self.loads(i, ground, interval);
+            let acceleration = (self.velocity(i) - self.base[i].velocity) * (S::ONE / interval);
+            // The water's part of the inertia is outside of the line.
+            let of_water = water - self.base[i].added * acceleration;
+            booked.dissipated += of_drag + of_ground;
+            booked.outside += of_water.dot(self.way(i)) + of_drag;
+        }
+        booked
+    }
+
+    /// Returns the position of a node at the last point, world, m.
+    pub fn position(&self, node: usize) -> Vector3<S> {
+        self.next[node]
+    }
+
+    /// Returns the velocity of a node between the ends at the last point, world, m/s.
+    pub fn velocity(&self, node: usize) -> Vector3<S> {
+        self.way(node) * S::constant(2.0 / self.clock[2]) - self.base[node].velocity
+    }
+}
+
+/// Returns the coordinate of the k-th point of Gauss's rule in its element.
+fn point(k: usize) -> f64 {
+    if k % 2 == 0 { -GAUSS } else { GAUSS }
+}
