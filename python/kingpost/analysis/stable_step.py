@@ -42,4 +42,5 @@ def stable_step(scenario_or_simulation: Scenario | Simulation | str | Path) -> f
     given = scenario_or_simulation
     simulation = given if isinstance(given, Simulation) else Simulation(given)
     integrator = simulation.scenario.resolved["simulation"]["integrator"]
-    return longest_step_s(integrator, simulation.linearize().A.to_numpy())
+    linear = simulation.linearize()
+    return longest_step_s(integrator, linear.A.to_numpy(), linear.advanced)

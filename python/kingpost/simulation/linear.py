@@ -44,6 +44,8 @@ class Linearization:
         SI unit of each state.
     remembers
         Whether each state is a memory of past motion, such as a state of radiated waves or of a filter.
+    advanced
+        Whether explicit schemes leave each state to its element, which advances it implicitly: a line's nodes.
     input_units
         Unit of each input.
     warning
@@ -55,6 +57,7 @@ class Linearization:
     rates: xarray.DataArray
     units: list[str]
     remembers: NDArray[np.bool_]
+    advanced: NDArray[np.bool_]
     input_units: list[str]
     warning: str | None = None
 
@@ -92,6 +95,7 @@ def labelled(a: NDArray, b: NDArray, rates: NDArray, names_json: str) -> Lineari
         along,
         names["units"],
         np.array(names["remembers"], bool),
+        np.array(names["advanced"], bool),
         names["input_units"],
         names["warning"],
     )

@@ -60,11 +60,15 @@ class Observed:
         if count > step_limit.MOST_STATES:
             return [*known, step_limit.left_out(count)]
         try:
-            too_long = step_limit.warning(settings, lambda: self._engine.linearize()[0])
+            too_long = step_limit.warning(settings, self._linear)
         except KingpostError:
             # If the start cannot be linearised, the error of the run itself is clearer.
             return known
         return known if too_long is None else [*known, too_long]
+
+    def _linear(self) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+        a, _, _, names = self._engine.linearize()
+        return a, np.array(json.loads(names)["advanced"], bool)
 
     @property
     def warnings(self) -> list[Warning]:

@@ -17,6 +17,11 @@ GROWTH: dict[str, Callable[[NDArray[np.complex128]], NDArray[np.complex128]]] = 
 }
 """Amplification factor of a motion exp(lambda t) in one step h, with z = h lambda (Hairer & Wanner, *Solving
 Ordinary Differential Equations II*, 1996, sec. IV.2)."""
+ADVANCING = ("forward_euler", "rk4")
+"""Schemes that leave the nodes of lines to an implicit rule, whose own motions set no limit."""
+AT_ONCE_S = 1e6
+"""Time in which lines are taken to follow their ends, s: finite, because a slack line on the seabed has no
+stiffness."""
 DAMPED = 0.02
 """Smallest damping ratio of the judged motions: with less damping, Euler's method is unstable at any step."""
 LONGEST_S, HALVINGS = 1e3, 60
@@ -25,8 +30,12 @@ MOST_STATES = 1000
 two."""
 
 
-def longest_step_s(integrator: str, matrix: NDArray[np.float64]) -> float | None:
+def longest_step_s(
+    integrator: str, matrix: NDArray[np.float64], advanced: NDArray[np.bool_] | None = None
+) -> float | None:
     """The longest stable step, s, of a scheme on x' = A x; None if there is no such limit.
+
+    Lines, whose states are marked as `advanced`, follow their ends from one shape at rest to the next.
 
     >>> print(f"{longest_step_s('rk4', np.diag([-1.0])):.5f}")
     2.78529
@@ -35,6 +44,8 @@ def longest_step_s(integrator: str, matrix: NDArray[np.float64]) -> float | None
     # If the rates overflow, the run itself reports it.
     if growth is None or not np.isfinite(matrix).all():
         return None
+    if advanced is not None and integrator in ADVANCING:
+        matrix = _quasi_static(matrix, advanced)
     values = np.linalg.eigvals(matrix)
     values = values[-values.real > DAMPED * np.abs(values)]
     # Leave out motions slower than an hour: they set no limit, and zero eigenvalues are rounded to such
@@ -57,14 +68,16 @@ def left_out(states: int) -> str:
     )
 
 
-def warning(settings: dict[str, Any], matrix: Callable[[], NDArray[np.float64]]) -> str | None:
+def warning(
+    settings: dict[str, Any], linear: Callable[[], tuple[NDArray[np.float64], NDArray[np.bool_]]]
+) -> str | None:
     """A warning if the step in the settings of a simulation is too long, otherwise None.
 
-    `matrix` computes A; it is called only for schemes with a limit.
+    `linear` computes A and the marks of advanced states; it is called only for schemes with a limit.
     """
     if settings["integrator"] not in GROWTH:
         return None
-    limit = longest_step_s(settings["integrator"], matrix())
+    limit = longest_step_s(settings["integrator"], *linear())
     if limit is None or settings["step_s"] <= limit:
         return None
     return (
@@ -72,6 +85,16 @@ def warning(settings: dict[str, Any], matrix: Callable[[], NDArray[np.float64]])
         f"fastest motion grows with steps longer than {limit:.2g} s; take shorter steps, dormand_prince, "
         "which chooses its own steps, or an implicit scheme (docs/schemes.md)"
     )
+
+
+def _quasi_static(matrix: NDArray[np.float64], advanced: NDArray[np.bool_]) -> NDArray[np.float64]:
+    """A of the other states, with the advanced ones at rest between them."""
+    if not advanced.any():
+        return matrix
+    own, others = np.flatnonzero(advanced), np.flatnonzero(~advanced)
+    alone = matrix[np.ix_(own, own)] - np.eye(own.size) / AT_ONCE_S
+    at_rest = np.linalg.solve(alone, matrix[np.ix_(own, others)])
+    return matrix[np.ix_(others, others)] - matrix[np.ix_(others, own)] @ at_rest
 
 
 def _limits(

@@ -2128,6 +2128,9 @@ export type Force =
       catenary_line: CatenaryLine;
     }
   | {
+      line: DynamicLine;
+    }
+  | {
       rope: Rope;
     }
   | {
@@ -2483,6 +2486,60 @@ export type CatenaryLine = {
    * Whether the line can lie on a flat seabed at the anchor's depth; if not, the line hangs freely.
    */
   seabed?: boolean;
+};
+/**
+ * A section of a line, with the same properties along it.
+ */
+export type DynamicLineSection = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Length without tension, m.
+   */
+  unstretched_length_m: number;
+  /**
+   * Number of its elements, each with two nodes: the error falls with the fourth power of the number.
+   */
+  elements: number;
+  /**
+   * Mass, kg/m.
+   */
+  mass_kg_per_m: number;
+  /**
+   * Diameter of the circular section that displaces the same volume of water, m. That of a chain is 1.8 times the
+   * diameter of its bar without studs.
+   */
+  diameter_m: number;
+  /**
+   * EA: tension per strain, N.
+   */
+  axial_stiffness_N?: number;
+  /**
+   * The same as `axial_stiffness_N`, in the unit of this name.
+   */
+  axial_stiffness_kN?: number;
+  /**
+   * tau: axial damping over stiffness, s. The tension is EA (e + tau e') at the strain e: at the period T the damping is
+   * pi tau / T of the critical one. Without damping, axial waves that are shorter than the step ring.
+   */
+  damping_time_s?: number;
+  /**
+   * Added mass over the mass of the displaced water, across the line.
+   */
+  added_mass_across?: number;
+  /**
+   * Added mass over the mass of the displaced water, along the line.
+   */
+  added_mass_along?: number;
+  /**
+   * Drag coefficient of the flow across the line, with the area of diameter times length: 1.2 for a wire, 2.4 for a chain
+   * over its bar diameter, which is 1.3 over the diameter of the displaced water (DNV-OS-E301).
+   */
+  drag_across?: number;
+  /**
+   * Drag coefficient of the flow along the line, with the area of pi times diameter times length.
+   */
+  drag_along?: number;
 };
 /**
  * A rope without inertia that runs over sheaves: a hoist or a sling. It pulls when its path is longer
@@ -3683,8 +3740,8 @@ export type Cylinder = {
    * Whether the element acts.
    */
   enabled?: boolean;
-  first: Pin3;
-  second: Pin4;
+  first: Pin5;
+  second: Pin6;
   /**
    * Length between the pins when fully retracted, m, limited by a stop.
    */
@@ -5153,6 +5210,83 @@ export interface Pin2 {
   position_m?: [number, number, number];
 }
 /**
+ * A wire or chain with mass between two points on bodies or in the world: a mooring line, a hoisting wire in deep water.
+ * It has axial stiffness and damping, weight, buoyancy, added mass and drag in waves and current, and can lie on the seabed;
+ * it has no bending stiffness. A run begins with the line at rest between its ends.
+ *
+ * With `rk4` and `euler` the line is advanced implicitly within each step, so that its axial waves do not limit the step;
+ * `dormand_prince` resolves them.
+ */
+export interface DynamicLine {
+  /**
+   * Whether the element acts.
+   */
+  enabled?: boolean;
+  first: Pin3;
+  second: Pin4;
+  /**
+   * Its sections, from the first end.
+   */
+  sections: DynamicLineSection[];
+  /**
+   * The level seabed on which it can lie; without it, the line does not touch the seabed.
+   */
+  seabed?: LineSeabed | null;
+}
+/**
+ * One end: a fairlead, a crane's tip.
+ */
+export interface Pin3 {
+  /**
+   * The body, or `world`.
+   */
+  body: string;
+  /**
+   * The point in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+}
+/**
+ * The other end: an anchor in the `world`, or a point of another body.
+ */
+export interface Pin4 {
+  /**
+   * The body, or `world`.
+   */
+  body: string;
+  /**
+   * The point in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+}
+/**
+ * The seabed under a line.
+ */
+export interface LineSeabed {
+  /**
+   * Its depth below the still waterline, m; without it, that of the sea.
+   */
+  depth_m?: number | null;
+  /**
+   * Coefficient of Coulomb friction, along and across the line.
+   */
+  friction: number;
+  /**
+   * Pressure per depth of penetration, N/m^3: the force per length is this times the diameter times the depth.
+   */
+  stiffness_N_per_m3?: number;
+  /**
+   * Pressure per speed of penetration, N s/m^3.
+   */
+  damping_N_s_per_m3?: number;
+}
+/**
  * A point on a rope's path.
  */
 export interface RopePoint {
@@ -5528,7 +5662,7 @@ export interface ExtensionSetPoint {
 /**
  * Pin on one body.
  */
-export interface Pin3 {
+export interface Pin5 {
   /**
    * The body, or `world`.
    */
@@ -5544,7 +5678,7 @@ export interface Pin3 {
 /**
  * Pin on the other.
  */
-export interface Pin4 {
+export interface Pin6 {
   /**
    * The body, or `world`.
    */

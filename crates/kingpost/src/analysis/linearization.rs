@@ -26,6 +26,8 @@ pub struct Linearization {
     pub units: Vec<&'static str>,
     /// Whether each state is only a memory, as an element [declares](crate::elements::ElementState) it.
     pub remembers: Vec<bool>,
+    /// Whether explicit schemes leave each state to its element, which advances it implicitly.
+    pub advanced: Vec<bool>,
     /// Names of the inputs.
     pub inputs: Vec<String>,
     /// Unit of each input.
@@ -51,6 +53,8 @@ pub struct LinearNames<'a> {
     pub units: &'a [&'static str],
     /// Whether each state is only a memory.
     pub remembers: &'a [bool],
+    /// Whether explicit schemes leave each state to its element.
+    pub advanced: &'a [bool],
     /// Names of the inputs.
     pub inputs: &'a [String],
     /// Unit of each input.
@@ -62,8 +66,8 @@ pub struct LinearNames<'a> {
 impl Linearization {
     /// Returns the names and units.
     pub fn names(&self) -> LinearNames<'_> {
-        let Self { states, units, remembers, inputs, input_units, .. } = self;
-        LinearNames { states, units, remembers, inputs, input_units, warning: self.warning() }
+        let Self { states, units, remembers, advanced, inputs, input_units, .. } = self;
+        LinearNames { states, units, remembers, advanced, inputs, input_units, warning: self.warning() }
     }
 
     /// Returns a warning if a prescribed coordinate moves: A is then valid for one instant only, and
@@ -192,6 +196,7 @@ impl Linearizer {
             states: self.states.iter().map(|state| state.name.clone()).collect(),
             units: self.states.iter().map(|state| state.unit).collect(),
             remembers: self.states.iter().map(|state| state.remembers).collect(),
+            advanced: self.states.iter().map(|state| state.advanced).collect(),
             inputs: self.inputs.iter().map(|input| input.name.clone()).collect(),
             input_units: self.inputs.iter().map(|input| input.unit).collect(),
             a: derivatives.columns(0, n).into_owned(),

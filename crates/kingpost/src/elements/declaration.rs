@@ -51,12 +51,14 @@ pub struct StateDeclaration {
     /// Whether it only stores another motion, like the state of radiated waves or of a filter. A natural mode is then
     /// named after that motion.
     pub remembers: bool,
+    /// Whether explicit schemes leave it to the element, which [advances](super::Advancing) it implicitly.
+    pub advanced: bool,
 }
 
 impl StateDeclaration {
     /// Returns the declaration of a state of a motion.
     pub fn new(name: impl Into<String>, unit: &'static str) -> Self {
-        Self { name: name.into(), unit, remembers: false }
+        Self { name: name.into(), unit, remembers: false, advanced: false }
     }
 
     /// Returns the declaration of a state that only stores another motion.

@@ -168,7 +168,8 @@ impl Layout {
             });
             (input, number) = (input + declared.inputs.len(), number + declared.numbers.len());
             layout.names.push(name.to_owned());
-            let kept = |own: &StateDeclaration| StateDeclaration { name: full(&own.name), ..own.clone() };
+            let advanced = declared.advances;
+            let kept = |own: &StateDeclaration| StateDeclaration { name: full(&own.name), advanced, ..own.clone() };
             layout.states.extend(declared.states.iter().map(kept));
             layout.numbers.extend(declared.numbers.iter().map(full));
             layout.modes.extend(declared.modes.iter().map(full));

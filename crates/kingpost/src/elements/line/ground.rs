@@ -1,6 +1,6 @@
 //! The ground on which a line can lie.
 
-use super::section::mean_of_positive;
+use super::section::{mean_of_positive, ramp};
 use crate::scalar::Scalar;
 use crate::spatial::{Matrix3, Vector3};
 
@@ -11,8 +11,11 @@ pub struct LineGround<S = f64> {
     pub depth: S,
     /// Stiffness per length of the line, N/m^2.
     pub stiffness_per_length: S,
-    /// Damping of the sinking line per length, N s/m^2.
+    /// Damping of the sinking line per length, N s/m^2, from the full depth on; it grows linearly down to this depth, so that
+    /// the force does not jump.
     pub damping_per_length: S,
+    /// Depth under the ground of the full damping, m.
+    pub full_depth: S,
     /// Coefficient of friction.
     pub friction: S,
     /// Speed at which the friction is at half of sqrt(2) of its limit, m/s: below it friction grows with the speed.
@@ -26,7 +29,8 @@ impl<S: Scalar> LineGround<S> {
         let [vx, vy, sinking] = [velocity[0], velocity[1], -velocity[2]];
         let depth = depth.select_below(0.0, || S::ZERO, || depth);
         let spring = self.stiffness_per_length * length * depth;
-        let damped = spring + self.damping_per_length * length * sinking;
+        let share = ramp(depth, self.full_depth).0;
+        let damped = spring + self.damping_per_length * length * share * sinking;
         let touches = |force: S| depth.select_below(f64::MIN_POSITIVE, || S::ZERO, || force);
         let normal = touches(damped.select_below(0.0, || S::ZERO, || damped));
         let speed = (vx * vx + vy * vy + self.sliding_speed * self.sliding_speed).sqrt();
@@ -50,10 +54,12 @@ impl<S: Scalar> LineGround<S> {
         let (mean, slope) = mean_of_positive(before, after);
         let (stiffness, damping) = (self.stiffness_per_length * length, self.damping_per_length * length * per_s);
         let spring = stiffness * mean;
-        let damped = spring + damping * (after - before);
+        let (share, grows) = ramp(mean, self.full_depth);
+        let damped = spring + damping * share * (after - before);
         let touches = |value: S| spring.select_below(f64::MIN_POSITIVE, || S::ZERO, || value);
         let pushes = |value: S| touches(damped.select_below(0.0, || S::ZERO, || value));
-        let (normal, rise) = (pushes(damped), pushes(stiffness * slope + damping));
+        let (normal, rise) =
+            (pushes(damped), pushes(stiffness * slope + damping * (share + grows * slope * (after - before))));
         let [vx, vy] = [way[0] * per_s, way[1] * per_s];
         let per_speed = S::ONE / (vx * vx + vy * vy + self.sliding_speed * self.sliding_speed).sqrt();
         let [ex, ey] = [vx * per_speed, vy * per_speed];

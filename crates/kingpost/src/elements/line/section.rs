@@ -106,8 +106,10 @@ impl<S: Scalar> LineSection<S> {
     /// Returns the tension at a stretch ratio and its rate, N: the part that is stored, and the whole. A line does not push.
     pub fn tension(&self, ratio: S, rate: S) -> [S; 2] {
         let positive = |force: S| force.select_below(0.0, || S::ZERO, || force);
-        let elastic = positive(self.axial_stiffness * (ratio - S::ONE));
-        let damped = positive(elastic + self.axial_stiffness * self.damping_time * rate);
+        let strain = positive(ratio - S::ONE);
+        let elastic = self.axial_stiffness * strain;
+        let share = ramp(strain, S::constant(FULLY_DAMPED)).0;
+        let damped = positive(elastic + self.axial_stiffness * self.damping_time * share * rate);
         [elastic, elastic.select_below(f64::MIN_POSITIVE, || S::ZERO, || damped)]
     }
 
@@ -117,10 +119,14 @@ impl<S: Scalar> LineSection<S> {
         let (mean, slope) = mean_of_positive(before - S::ONE, after - S::ONE);
         let elastic = self.axial_stiffness * mean;
         let per_ratio = self.axial_stiffness * self.damping_time / interval_s;
-        let whole = elastic + per_ratio * (after - before);
+        let (share, grows) = ramp(mean, S::constant(FULLY_DAMPED));
+        let whole = elastic + per_ratio * share * (after - before);
         let taut = |value: S| elastic.select_below(f64::MIN_POSITIVE, || S::ZERO, || value);
         let pulls = |value: S| taut(whole.select_below(0.0, || S::ZERO, || value));
-        ([elastic, pulls(whole)], pulls(self.axial_stiffness * slope + per_ratio))
+        (
+            [elastic, pulls(whole)],
+            pulls(self.axial_stiffness * slope + per_ratio * (share + grows * slope * (after - before))),
+        )
     }
 
     /// Returns a part of this length in the water at a point, with its unit tangent.
@@ -146,6 +152,16 @@ impl<S: Scalar> LineSection<S> {
         let added = PartMass { across, along };
         WetPart { tangent, velocity, acceleration, steady: buoyancy + inertial, added, drag }
     }
+}
+
+/// Strain from which on the damping of a line is in full effect; it grows linearly up to it, so that the tension of a line that
+/// comes taut does not jump. Lines work at strains of 1e-4 and more.
+const FULLY_DAMPED: f64 = 1e-5;
+
+/// Returns a number over a limit, at most 1, and the derivative.
+pub fn ramp<S: Scalar>(x: S, limit: S) -> (S, S) {
+    let per_limit = S::ONE / limit;
+    (x.select_less(limit, || x * per_limit, || S::ONE), x.select_less(limit, || per_limit, || S::ZERO))
 }
 
 /// Difference of two numbers, as a share of 1, below which the mean of their positive parts is taken at both.

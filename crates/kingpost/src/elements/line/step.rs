@@ -26,9 +26,12 @@ use crate::spatial::{Matrix3, Vector3};
 
 /// Last move of a node, as a share of the length of an element, at which Newton's method has converged: the next move would
 /// be about the square of this share.
-pub const CONVERGED: f64 = 1e-5;
+pub const CONVERGED: f64 = 1e-6;
 /// Largest number of iterations; 2 or 3 are usual, more if nodes touch the ground or become slack.
-pub const MOST_ITERATIONS: usize = 40;
+pub const MOST_ITERATIONS: usize = 60;
+/// Number of iterations from which on moves are halved: where nodes touch the ground or become slack, whole moves can go back
+/// and forth.
+const HALVED_FROM: usize = 8;
 
 /// A node at the base of the step, with what does not change over it.
 #[derive(Clone, Debug)]
@@ -151,13 +154,14 @@ impl<S: Scalar> LineStep<S> {
         self.predict(interval_s, ends);
         let limit = mesh.shortest() * S::constant(CONVERGED);
         let (mut goes_on, mut last) = (S::ONE, S::ZERO);
-        for _ in 0..MOST_ITERATIONS {
+        for iteration in 0..MOST_ITERATIONS {
+            let share = S::constant(if iteration < HALVED_FROM { 1.0 } else { 0.5 });
             self.assemble(mesh, ground, S::constant(interval_s));
             self.blocks.solve(&mut self.moves);
             let larger = |a: S, b: S| a.select_less(b, || b, || a);
             last = self.moves.iter().fold(S::ZERO, |most, way| larger(most, way.norm_squared()));
             for (next, way) in self.next.iter_mut().zip(&self.moves) {
-                let moved = |k: usize| goes_on.select_below(0.5, || next[k], || next[k] + way[k]);
+                let moved = |k: usize| goes_on.select_below(0.5, || next[k], || next[k] + way[k] * share);
                 *next = Vector3([moved(0), moved(1), moved(2)]);
             }
             // A lane that has converged stays, as if it were alone.
