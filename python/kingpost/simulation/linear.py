@@ -45,7 +45,7 @@ class Linearization:
     remembers
         Whether each state is a memory of past motion, such as a state of radiated waves or of a filter.
     advanced
-        Whether explicit schemes leave each state to its element, which advances it implicitly: a line's nodes.
+        Whether explicit schemes leave each state to its element, which advances it implicitly (lines).
     input_units
         Unit of each input.
     warning

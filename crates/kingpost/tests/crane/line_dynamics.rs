@@ -217,13 +217,8 @@ fn heat_of_damping_water_and_ground_is_booked() {
             drag: [2.4, 0.3],
         },
     };
-    let ground = LineGround {
-        depth: 12.0,
-        stiffness_per_length: 2e4,
-        damping_per_length: 1e3,
-        friction: 0.7,
-        sliding_speed: 0.01,
-    };
+    let ground =
+        LineGround { depth: 12.0, stiffness_per_length: 2e4, damping_time: 0.05, friction: 0.7, sliding_speed: 0.01 };
     let mut setup = setup(plain, "{fixed: {}}", 1.0, more);
     let line: AnyElement = Box::new(chain.line(&setup).on(ground));
     setup.elements.push(line);
@@ -266,93 +261,4 @@ fn current_accelerates_a_line_by_morison() {
     let expected = 0.5 * 1025.0 * d * 1.2 * u * u / (60.0 + displaced);
     let row = found.states.iter().position(|name| name == "wire.node_4.velocity.y").expect("a state");
     assert!((found.rates[row] / expected - 1.0).abs() < 1e-12, "{} {expected}", found.rates[row]);
-}
-
-/// Amplitude of a column over the last period of a forced motion, by its Fourier coefficient, and its phase, rad.
-fn harmonic(rows: &[(f64, f64)], period_s: f64) -> (f64, f64) {
-    let last = rows.last().expect("a row").0;
-    let one = rows.iter().filter(|(time_s, _)| *time_s > last - period_s + 1e-9);
-    let (mut cosine, mut sine, mut count) = (0.0, 0.0, 0.0);
-    for (time_s, value) in one {
-        let angle = 2.0 * PI * time_s / period_s;
-        (cosine, sine, count) = (cosine + value * angle.cos(), sine + value * angle.sin(), count + 1.0);
-    }
-    let (cosine, sine) = (2.0 * cosine / count, 2.0 * sine / count);
-    (cosine.hypot(sine), cosine.atan2(sine))
-}
-
-/// A forced wire that hangs with an anchor: amplitude of the motion 1 m, after a smooth start.
-struct Forced {
-    length: f64,
-    mass_kg: f64,
-    period_s: f64,
-    damping_time: f64,
-}
-
-impl Forced {
-    /// Returns the position of the point at this unstretched length, at rest: z = -s - (M + m (L - s / 2)) g s / EA.
-    fn at_rest(&self, s: f64) -> f64 {
-        let carried = self.mass_kg + WIRE.mass_per_length * (self.length - 0.5 * s);
-        -s - carried * 9.80665 * s / WIRE.axial_stiffness
-    }
-
-    fn simulation(&self, step_s: f64, elements: usize) -> Simulation {
-        let Self { length, mass_kg, period_s, .. } = *self;
-        let bottom = self.at_rest(length);
-        let text = format!(
-            "version: 1
-title: A forced wire
-simulation: {{step_s: {step_s}, duration_s: 1, record_every_s: {step_s}}}
-forces: {{gravity: {{gravity: {{}}}}}}
-bodies:
-  load:
-    mass_kg: {mass_kg}
-    shape: {{point: {{}}}}
-    joint: {{prismatic: {{name: lift, axis: [0, 0, 1], position_m: [0, 0, {bottom}]}}}}
-  top:
-    mass_kg: 1
-    shape: {{point: {{}}}}
-    joint:
-      prismatic:
-        name: tip
-        axis: [0, 0, 1]
-        mode: {{oscillation: {{amplitude_m: 1, period_s: {period_s}, ramp_s: {}}}}}
-",
-            5.0 * period_s
-        );
-        let mut setup = plain(&text);
-        let end = |body| setup.model.attachment(Some(body), Frame::translation(Vector3::zero()));
-        let section = LineSection { damping_time: self.damping_time, ..WIRE };
-        let line =
-            DynamicLine::new("wire", [end(1), end(0)], &[LinePart { unstretched_length: length, section, elements }]);
-        setup.elements.push(Box::new(line));
-        setup.settings.scheme = SchemeName::RungeKutta4;
-        Simulation::new(setup)
-    }
-
-    /// Returns amplitude (N) and phase (rad) of the tension at the top, and what the ledger shows.
-    fn tension(&self, step_s: f64, elements: usize) -> (f64, f64) {
-        let mut run = self.simulation(step_s, elements);
-        let mut rows = Vec::new();
-        let last_but_one = (39.0 * self.period_s / step_s).round() as usize;
-        run.step(last_but_one).expect("it does not diverge");
-        for _ in 0..(self.period_s / step_s).round() as usize {
-            run.step(1).expect("it does not diverge");
-            rows.push((run.time_s(), crate::common::values(&mut run, "line_tension")[0]));
-        }
-        for name in ["energy_error", "energy_scale", "line_energy_lost_to_scheme", "energy_dissipated"] {
-            print!("{name} {:?} ", crate::common::values(&mut run, name));
-        }
-        println!();
-        harmonic(&rows, self.period_s)
-    }
-}
-
-#[test]
-fn trial_of_the_ships_step() {
-    let forced = Forced { length: 3000.0, mass_kg: 280e3, period_s: 8.0, damping_time: 0.1 };
-    for step in [0.1, 0.05, 0.025, 0.0125] {
-        let t = std::time::Instant::now();
-        println!("{step} {:?} {:?}", forced.tension(step, 20), t.elapsed());
-    }
 }

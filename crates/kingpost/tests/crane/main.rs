@@ -17,6 +17,8 @@ mod heave_compensation;
 mod inertial_unit;
 mod inextensible_ropes;
 mod line_dynamics;
+mod line_statics;
+mod line_steps;
 mod linear_check;
 mod load_charts;
 mod motion_compensation;

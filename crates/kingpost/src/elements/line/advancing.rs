@@ -9,9 +9,14 @@ use crate::scalar::Scalar;
 impl<S: Scalar> DynamicLine<S> {
     /// Computes the forces on the nodes at the ends at a stage, to which the line was advanced; the water is that of the
     /// middle of the step.
+    ///
+    /// The rate of strain is that of the implicit rule at the ends too: the first positions of an explicit step are those of
+    /// Euler's method, and the nodes between the ends follow them.
     pub(super) fn evaluate_ends(&mut self, at: &Context<'_, S>) {
         self.put_nodes(at, at.states);
-        self.on_ends = self.nodes.stretch_ends(&self.mesh);
+        let by_rule = self.end_nodes().map(|node| self.step.has_advanced().then(|| self.step.velocity(node)));
+        self.nodes.stretch_ends(&self.mesh, by_rule);
+        self.on_ends = self.nodes.power_on_ends();
         for node in self.end_nodes() {
             let water = self.step.water_at(node, at.clock.time_s);
             self.nodes.load_end(node, &self.mesh, self.ground.as_ref(), water, at);

@@ -16,13 +16,6 @@ const MOST_ELEMENTS: usize = 2000;
 /// line is dragged along the seabed.
 const SLIDING_SPEED_M_S: f64 = 0.01;
 
-/// Depth of the full damping of the seabed, as a share of the depth to which the weight of the line presses it: smaller than
-/// the depth of a line at rest, and large enough that the force does not jump.
-const FULLY_DAMPED: f64 = 0.1;
-
-/// Acceleration of gravity for this depth, m/s^2.
-const STANDARD_GRAVITY: f64 = 9.80665;
-
 /// Penetration of an end into the seabed at the start that counts as lying on it, as a share of the depth: rounding.
 const ON_SEABED: f64 = 1e-9;
 
@@ -87,13 +80,10 @@ fn ground<S: Quantity>(seabed: &schema::LineSeabed<S>, parts: &[LinePart<S>], de
     let sum = |of: &dyn Fn(&LinePart<S>) -> S| parts.iter().fold(S::ZERO, |sum, part| sum + of(part));
     let length = sum(&|part| part.unstretched_length);
     let diameter = sum(&|part| part.unstretched_length * part.section.diameter) / length;
-    let mass = sum(&|part| part.unstretched_length * part.section.mass_per_length) / length;
-    let stiffness_per_length = seabed.stiffness_n_per_m3.get() * diameter;
     LineGround {
         depth,
-        stiffness_per_length,
-        full_depth: mass * S::constant(STANDARD_GRAVITY * FULLY_DAMPED) / stiffness_per_length,
-        damping_per_length: seabed.damping_n_s_per_m3.get() * diameter,
+        stiffness_per_length: seabed.stiffness_n_per_m3.get() * diameter,
+        damping_time: seabed.damping_time_s.get(),
         friction: seabed.friction.get(),
         sliding_speed: S::constant(SLIDING_SPEED_M_S),
     }

@@ -53,6 +53,11 @@ impl<S: Scalar> Blocks<S> {
         }
     }
 
+    /// Returns b at the nodes; that of the ends has no meaning.
+    pub fn right(&self) -> &[Vector3<S>] {
+        &self.right
+    }
+
     /// Solves for x, which is zero at the ends; entries are not finite if A is singular. Overwrites A and b.
     pub fn solve(&mut self, x: &mut [Vector3<S>]) {
         self.eliminate_middles();

@@ -69,9 +69,9 @@ pub struct LineSeabed<S = f64> {
     /// Pressure per depth of penetration, N/m^3: the force per length is this times the diameter times the depth.
     #[serde(default = "seabed_stiffness::<S>")]
     pub stiffness_n_per_m3: Positive<S>,
-    /// Pressure per speed of penetration, N s/m^3.
+    /// Damping over stiffness, s: a line that falls on it at a speed v is braked from a height of this time times v on.
     #[serde(default = "seabed_damping::<S>")]
-    pub damping_n_s_per_m3: NonNegative<S>,
+    pub damping_time_s: NonNegative<S>,
 }
 
 /// 0.4 % of critical damping at 8 s, as of steel wire.
@@ -87,11 +87,12 @@ fn drag_across<S: Leaf>() -> NonNegative<S> {
     NonNegative::literal(1.2)
 }
 
-/// The defaults of MoorDyn 2.
+/// The default of MoorDyn 2.
 fn seabed_stiffness<S: Leaf>() -> Positive<S> {
     Positive::literal(3e6)
 }
 
+/// The default of MoorDyn 2: 3e5 over 3e6.
 fn seabed_damping<S: Leaf>() -> NonNegative<S> {
-    NonNegative::literal(3e5)
+    NonNegative::literal(0.1)
 }

@@ -1,7 +1,9 @@
-//! The elements of a line and what belongs to its nodes.
+//! The elements and nodes of a line, and the length that belongs to each.
 
-use super::section::LineSection;
+use super::section::{LineSection, WetPart};
+use crate::elements::Context;
 use crate::scalar::Scalar;
+use crate::spatial::Vector3;
 
 /// A part of a line with the same properties along it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,7 +16,7 @@ pub struct LinePart<S = f64> {
     pub elements: usize,
 }
 
-/// What belongs to an element.
+/// Properties of an element.
 #[derive(Clone, Copy, Debug)]
 pub struct MeshElement<S> {
     /// Unstretched length, m.
@@ -23,16 +25,24 @@ pub struct MeshElement<S> {
     pub section: LineSection<S>,
 }
 
-/// What belongs to a node, by Simpson's rule.
+/// Properties of a node, by Simpson's rule.
 #[derive(Clone, Copy, Debug)]
 pub struct MeshNode<S> {
     /// Unstretched length, m.
     pub length: S,
     /// Mean properties of this length.
     pub section: LineSection<S>,
+    /// Middle of this length, from the node along the line, as a share of the length: not 0 at the ends.
+    pub middle: f64,
 }
 
 impl<S: Scalar> MeshNode<S> {
+    /// Returns its length in the water, with the node at a point and with this unit tangent.
+    pub fn in_water(&self, at: &Context<'_, S>, point: Vector3<S>, tangent: Vector3<S>) -> WetPart<S> {
+        let middle = point[2] + tangent[2] * self.length * S::constant(self.middle);
+        self.section.in_water(at, self.length, (point, middle, tangent))
+    }
+
     /// Returns its mass without water, kg.
     pub fn dry_mass(&self) -> S {
         self.section.mass_per_length * self.length
@@ -59,13 +69,16 @@ impl<S: Scalar> Mesh<S> {
         });
         let elements: Vec<MeshElement<S>> = divided.collect();
         let share = |element: &MeshElement<S>, sixths: f64| element.length * S::constant(sixths / 6.0);
-        let whole =
-            |element: &MeshElement<S>, sixths| MeshNode { length: share(element, sixths), section: element.section };
-        let mut nodes = vec![whole(&elements[0], 1.0)];
+        let whole = |element: &MeshElement<S>, sixths, middle| MeshNode {
+            length: share(element, sixths),
+            section: element.section,
+            middle,
+        };
+        let mut nodes = vec![whole(&elements[0], 1.0, 0.5)];
         for (k, element) in elements.iter().enumerate() {
-            nodes.push(whole(element, 4.0));
-            let at_end = whole(element, 1.0);
-            nodes.push(elements.get(k + 1).map_or(at_end, |next| at_end.with(&whole(next, 1.0))));
+            nodes.push(whole(element, 4.0, 0.0));
+            let at_end = whole(element, 1.0, -0.5);
+            nodes.push(elements.get(k + 1).map_or(at_end, |next| at_end.with(&whole(next, 1.0, 0.5))));
         }
         let length = parts.iter().fold(S::ZERO, |sum, part| sum + part.unstretched_length);
         Self { elements, nodes, length }
@@ -100,6 +113,6 @@ impl<S: Scalar> MeshNode<S> {
                 of(|section| section.drag[1] * section.diameter) / diameter,
             ],
         };
-        Self { length, section }
+        Self { length, section, middle: 0.0 }
     }
 }

@@ -9,10 +9,12 @@
 mod advancing;
 pub(crate) mod assembly;
 mod blocks;
+mod descent;
 pub(crate) mod fields;
 mod ground;
 mod mesh;
 mod nodes;
+mod one_sided;
 mod section;
 mod statics;
 mod step;

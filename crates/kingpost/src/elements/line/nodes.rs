@@ -111,16 +111,21 @@ impl<S: Scalar> Nodes<S> {
         }
     }
 
-    /// Adds the forces of the tension at the ends alone, in the first and the last element; returns their power on the ends, W.
-    pub fn stretch_ends(&mut self, mesh: &Mesh<S>) -> S {
+    /// Adds the forces of the tension at the ends alone, in the first and the last element. The rate of strain is that of these
+    /// velocities of the ends, if they are given.
+    pub fn stretch_ends(&mut self, mesh: &Mesh<S>, by_rule: [Option<Vector3<S>>; 2]) {
         self.tensions.clear();
         let last = self.nodes.len() - 1;
+        let velocities = [0, last].map(|end| self.nodes[end].velocity);
+        for (end, velocity) in [0, last].into_iter().zip(by_rule) {
+            self.nodes[end].velocity = velocity.unwrap_or(self.nodes[end].velocity);
+        }
         self.stretch_element(0, mesh);
         if last > 2 {
             self.stretch_element(last / 2 - 1, mesh);
         }
+        (self.nodes[0].velocity, self.nodes[last].velocity) = (velocities[0], velocities[1]);
         (self.dissipated, self.outside) = (S::ZERO, S::ZERO);
-        self.power_on_ends()
     }
 
     /// Returns the power of the forces so far on the ends, W.
@@ -172,7 +177,7 @@ impl<S: Scalar> Nodes<S> {
         for i in 0..=last {
             let LineNode { position, velocity, tangent, .. } = self.nodes[i];
             let part = &mesh.nodes[i];
-            let wet = part.section.in_water(at, part.length, (position, tangent));
+            let wet = part.in_water(at, position, tangent);
             let (support, heat, _) = self.on_ground(i, mesh, ground);
             self.put_loads(i, part.dry_mass(), &wet, S::ZERO, (support, heat), at);
             if i == 0 || i == last {
@@ -205,14 +210,19 @@ impl<S: Scalar> Nodes<S> {
         })
     }
 
-    /// Returns the tensions at the ends, N, linear through the points of Gauss's rule of the last elements; at least 0.
+    /// Returns the tensions at the ends, N: the reactions of the bodies, with the accelerations of the ends extrapolated from
+    /// the nodes beside them; at least 0.
     pub fn end_tensions(&self) -> [S; 2] {
-        let count = self.tensions.len();
-        let beyond = |near: S, far: S| {
-            let value = near + (near - far) * S::constant(0.5 * (1.0 / GAUSS - 1.0));
-            value.select_below(0.0, || S::ZERO, || value)
+        let last = self.nodes.len() - 1;
+        let at_end = |end: usize, [near, far]: [usize; 2], outward: f64| {
+            let LineNode { tangent, mass, force, .. } = self.nodes[end];
+            let [near, far] = [near, far].map(|node| self.nodes[node].acceleration);
+            let inertia = mass.along * tangent.dot(near + near - far);
+            let tension = (inertia - tangent.dot(force)) * S::constant(outward);
+            tension.select_below(0.0, || S::ZERO, || tension)
         };
-        [beyond(self.tensions[0], self.tensions[1]), beyond(self.tensions[count - 1], self.tensions[count - 2])]
+        // A line of one element has one node between its ends.
+        [at_end(0, [1, 2.min(last - 1)], -1.0), at_end(last, [last - 1, (last - 2).max(1)], 1.0)]
     }
 
     /// Returns the largest strain by the elastic tension; NaN if a tension is NaN.

@@ -1,5 +1,6 @@
 //! Properties of a line per length, and the force of the water on a part of it.
 
+use super::one_sided::{OneSided, mean_one_sided, one_sided};
 use crate::elements::Context;
 use crate::elements::lines::length_and_direction;
 use crate::scalar::Scalar;
@@ -105,32 +106,24 @@ impl<S: Scalar> WetPart<S> {
 impl<S: Scalar> LineSection<S> {
     /// Returns the tension at a stretch ratio and its rate, N: the part that is stored, and the whole. A line does not push.
     pub fn tension(&self, ratio: S, rate: S) -> [S; 2] {
-        let positive = |force: S| force.select_below(0.0, || S::ZERO, || force);
-        let strain = positive(ratio - S::ONE);
-        let elastic = self.axial_stiffness * strain;
-        let share = ramp(strain, S::constant(FULLY_DAMPED)).0;
-        let damped = positive(elastic + self.axial_stiffness * self.damping_time * share * rate);
-        [elastic, elastic.select_below(f64::MIN_POSITIVE, || S::ZERO, || damped)]
+        let OneSided { elastic, whole, .. } = one_sided(ratio - S::ONE, rate, self.damping_time);
+        [self.axial_stiffness * elastic, self.axial_stiffness * whole]
     }
 
-    /// Returns the mean tension of an interval at the stretch ratios at its ends, N, and its derivative along the ratio at
-    /// the end: the elastic part changes the energy of strain by its product with the change of the ratio.
-    pub fn mean_tension(&self, [before, after]: [S; 2], interval_s: S) -> ([S; 2], S) {
-        let (mean, slope) = mean_of_positive(before - S::ONE, after - S::ONE);
-        let elastic = self.axial_stiffness * mean;
-        let per_ratio = self.axial_stiffness * self.damping_time / interval_s;
-        let (share, grows) = ramp(mean, S::constant(FULLY_DAMPED));
-        let whole = elastic + per_ratio * share * (after - before);
-        let taut = |value: S| elastic.select_below(f64::MIN_POSITIVE, || S::ZERO, || value);
-        let pulls = |value: S| taut(whole.select_below(0.0, || S::ZERO, || value));
-        (
-            [elastic, pulls(whole)],
-            pulls(self.axial_stiffness * slope + per_ratio * (share + grows * slope * (after - before))),
-        )
+    /// Returns the mean tension of an interval between two stretch ratios, N, as [`tension`](Self::tension), and its derivative
+    /// along the ratio at the end.
+    pub fn mean_tension(&self, ratios: [S; 2], interval_s: S) -> ([S; 2], S) {
+        let mean = mean_one_sided(ratios.map(|ratio| ratio - S::ONE), interval_s, self.damping_time);
+        ([mean.elastic, mean.whole].map(|part| self.axial_stiffness * part), self.axial_stiffness * mean.slope)
     }
 
-    /// Returns a part of this length in the water at a point, with its unit tangent.
-    pub fn in_water(&self, at: &Context<'_, S>, length: S, (point, tangent): (Vector3<S>, Vector3<S>)) -> WetPart<S> {
+    /// Returns a part of this length in the water at a point, with the height of its middle and its unit tangent.
+    pub fn in_water(
+        &self,
+        at: &Context<'_, S>,
+        length: S,
+        (point, middle, tangent): (Vector3<S>, S, Vector3<S>),
+    ) -> WetPart<S> {
         let half = S::constant(0.5);
         let density = at.world.water_density;
         let moving = at.world.waves.as_ref().filter(|_| at.evaluation.has_waves());
@@ -141,7 +134,7 @@ impl<S: Scalar> LineSection<S> {
         let depth = point[2].select_below(0.0, || -point[2], || S::ZERO);
         let velocity = by_waves + at.world.current_at(&CurrentAt::Depth(depth));
         let rise = tangent[2].select_below(0.0, || -tangent[2], || tangent[2]);
-        let share = ((elevation - point[2]) / (length * rise + self.diameter) + half).clipped(S::ZERO, S::ONE);
+        let share = ((elevation - middle) / (length * rise + self.diameter) + half).clipped(S::ZERO, S::ONE);
         let wet = length * share;
         let displaced = density * self.diameter * self.diameter * wet * S::constant(FRAC_PI_4);
         let [across, along] = self.added_mass.map(|coefficient| coefficient * displaced);
@@ -152,37 +145,4 @@ impl<S: Scalar> LineSection<S> {
         let added = PartMass { across, along };
         WetPart { tangent, velocity, acceleration, steady: buoyancy + inertial, added, drag }
     }
-}
-
-/// Strain from which on the damping of a line is in full effect; it grows linearly up to it, so that the tension of a line that
-/// comes taut does not jump. Lines work at strains of 1e-4 and more.
-const FULLY_DAMPED: f64 = 1e-5;
-
-/// Returns a number over a limit, at most 1, and the derivative.
-pub fn ramp<S: Scalar>(x: S, limit: S) -> (S, S) {
-    let per_limit = S::ONE / limit;
-    (x.select_less(limit, || x * per_limit, || S::ONE), x.select_less(limit, || per_limit, || S::ZERO))
-}
-
-/// Difference of two numbers, as a share of 1, below which the mean of their positive parts is taken at both.
-const EQUAL: f64 = 1e-12;
-
-/// Returns the mean of max(x, 0) over the way from one number to another, which is the difference quotient of
-/// max(x, 0)^2 / 2, and its derivative along the second number.
-pub fn mean_of_positive<S: Scalar>(before: S, after: S) -> (S, S) {
-    let half = S::constant(0.5);
-    let positive = |x: S| x.select_below(0.0, || S::ZERO, || x);
-    let [a, b] = [positive(before), positive(after)];
-    let way = after - before;
-    let near = way.select_below(EQUAL, || way.select_below(-EQUAL, || S::ZERO, || S::ONE), || S::ZERO);
-    let one_sign = before.select_below(
-        0.0,
-        || after.select_below(0.0, || S::ONE, || S::ZERO),
-        || after.select_below(0.0, || S::ZERO, || S::ONE),
-    );
-    let both = (one_sign + near).select_below(0.5, || S::ZERO, || S::ONE);
-    let safe = both.select_below(0.5, || way, || S::ONE);
-    let quotient = (b * b - a * a) * half / safe;
-    let slope = after.select_below(0.0, || S::ZERO, || half);
-    (both.select_below(0.5, || quotient, || (a + b) * half), both.select_below(0.5, || (b - quotient) / safe, || slope))
 }

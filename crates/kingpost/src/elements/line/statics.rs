@@ -1,6 +1,7 @@
 //! The shape of a line at rest, between given ends.
 
 use super::blocks::Blocks;
+use super::descent::Descent;
 use super::ground::LineGround;
 use super::mesh::{Mesh, MeshElement};
 use super::nodes::tangents;
@@ -34,8 +35,8 @@ const FOR_DERIVATIVES: usize = 3;
 pub struct LineStatics<S> {
     positions: Vec<Vector3<S>>,
     tangents: Vec<Vector3<S>>,
-    moves: Vec<Vector3<S>>,
     blocks: Blocks<S>,
+    descent: Descent<S>,
     /// Whether there is a solution.
     found: bool,
 }
@@ -44,7 +45,8 @@ impl<S: Scalar> LineStatics<S> {
     /// Allocates the memory for this number of nodes.
     pub fn new(count: usize) -> Self {
         let zero = vec![Vector3::zero(); count];
-        Self { positions: zero.clone(), tangents: zero.clone(), moves: zero, blocks: Blocks::new(count), found: false }
+        let (blocks, descent) = (Blocks::new(count), Descent::new(count));
+        Self { positions: zero.clone(), tangents: zero, blocks, descent, found: false }
     }
 
     /// Returns the positions of the nodes at rest, between ends at these positions, by Newton's method; it starts from the
@@ -64,25 +66,16 @@ impl<S: Scalar> LineStatics<S> {
         self.positions.iter_mut().for_each(|place| *place = Vector3(place.0.map(plain)));
         (self.positions[0], self.positions[last]) = (ends[0], ends[1]);
         let (limit, longest) = (mesh.length * S::constant(CONVERGED), mesh.shortest() * S::constant(LONGEST_MOVE));
-        let (mut goes_on, mut more) = (S::ONE, if S::HAS_DERIVATIVES { FOR_DERIVATIVES } else { 0 });
+        let mut more = if S::HAS_DERIVATIVES { FOR_DERIVATIVES } else { 0 };
         self.found = false;
+        self.descent.begin();
         for _ in 0..MOST_ITERATIONS {
             self.assemble(mesh, ground, at);
-            self.blocks.solve(&mut self.moves);
-            let larger = |a: S, b: S| b.select_less(a, || a, || b);
-            let size = self.moves.iter().fold(S::ZERO, |most, way| larger(most, way.norm_squared())).sqrt();
-            let share = size.select_less(longest, || S::ONE, || plain(longest / size));
-            for (place, way) in self.positions.iter_mut().zip(&self.moves) {
-                let moved = |k: usize| goes_on.select_below(0.5, || place[k], || place[k] + way[k] * share);
-                *place = Vector3([moved(0), moved(1), moved(2)]);
+            self.descent.improve(&mut self.blocks, &mut self.positions, [limit, longest], more > 0);
+            if self.descent.is_small(limit) {
+                more = more.saturating_sub(1);
             }
-            let rests = size.select_less(limit, || S::ONE, || S::ZERO);
-            if more > 0 && rests.all(|rests| rests == 1.0) {
-                more -= 1;
-                continue;
-            }
-            goes_on = rests.select_below(0.5, || goes_on, || S::ZERO);
-            if goes_on.all(|goes_on| goes_on == 0.0) {
+            if self.descent.has_arrived() {
                 self.found = true;
                 return &self.positions;
             }
@@ -105,12 +98,13 @@ impl<S: Scalar> LineStatics<S> {
             let ([tension, _], [ratio, _], tangent) = (found.tension, found.ratio, found.tangent);
             let rise = tension.select_below(f64::MIN_POSITIVE, || S::ZERO, || section.axial_stiffness);
             let along = Matrix3::outer(tangent, tangent);
-            let stiffness = along.scaled(rise) + (Matrix3::identity() - along).scaled(tension / ratio);
+            let across = tension.select_below(f64::MIN_POSITIVE, || S::ZERO, || tension / ratio);
+            let stiffness = along.scaled(rise) + (Matrix3::identity() - along).scaled(across);
             self.blocks.add_at(k / 2, &slopes, &stiffness.scaled(half), -(tangent * (tension * half)));
         }
         for node in 1..self.positions.len() - 1 {
             let (place, part) = (self.positions[node], &mesh.nodes[node]);
-            let wet = part.section.in_water(at, part.length, (place, self.tangents[node]));
+            let wet = part.in_water(at, place, self.tangents[node]);
             let weight = part.dry_mass() * at.world.gravity;
             let hold = (weight + part.section.axial_stiffness * S::constant(LIGHT)) / mesh.length * S::constant(HOLD);
             let mut force = wet.steady + wet.drag(Vector3::zero(), S::ZERO).force;

@@ -13,6 +13,7 @@
 //! rule has second order. Newton's method solves for `x_1`, with exact derivatives.
 
 use super::blocks::Blocks;
+use super::descent::Descent;
 use super::ground::LineGround;
 use super::mesh::Mesh;
 use super::nodes::{Nodes, tangents};
@@ -29,9 +30,11 @@ use crate::spatial::{Matrix3, Vector3};
 pub const CONVERGED: f64 = 1e-6;
 /// Largest number of iterations; 2 or 3 are usual, more if nodes touch the ground or become slack.
 pub const MOST_ITERATIONS: usize = 60;
-/// Number of iterations from which on moves are halved: where nodes touch the ground or become slack, whole moves can go back
-/// and forth.
-const HALVED_FROM: usize = 8;
+/// Longest move of a node in an iteration, as a share of the length of an element.
+const LONGEST_MOVE: f64 = 0.5;
+
+/// Smallest stretch ratio for which a direction is computed: a line is slack there.
+const LEAST_RATIO: f64 = 1e-9;
 
 /// A node at the base of the step, with what does not change over it.
 #[derive(Clone, Debug)]
@@ -78,8 +81,9 @@ pub struct LineStep<S> {
     /// Derivative of the position along the line, and its length, at the base, at the points of Gauss's rule.
     stretched: Vec<(Vector3<S>, S)>,
     next: Vec<Vector3<S>>,
-    moves: Vec<Vector3<S>>,
+    tangents: Vec<Vector3<S>>,
     blocks: Blocks<S>,
+    descent: Descent<S>,
     /// Start and middle of the step, and time to the last point, s.
     clock: [f64; 3],
 }
@@ -101,8 +105,9 @@ impl<S: Scalar> LineStep<S> {
             base: vec![node; count],
             stretched: vec![(zero, S::ZERO); count - 1],
             next: vec![zero; count],
-            moves: vec![zero; count],
+            tangents: vec![zero; count],
             blocks: Blocks::new(count),
+            descent: Descent::new(count),
             clock: [0.0; 3],
         }
     }
@@ -117,12 +122,12 @@ impl<S: Scalar> LineStep<S> {
             (base.position, base.velocity, base.length) = (node.position, node.velocity, mesh.nodes[i].length);
             *next = node.position + node.velocity * half;
         }
-        tangents(&self.next, &mut self.moves);
+        tangents(&self.next, &mut self.tangents);
         let mut at = *at;
         at.clock.time_s = middle_s;
         for (i, (base, part)) in self.base.iter_mut().zip(&mesh.nodes).enumerate() {
-            let (place, tangent, dry) = (self.next[i], self.moves[i], part.dry_mass());
-            base.wet = part.section.in_water(&at, part.length, (place, tangent));
+            let (place, tangent, dry) = (self.next[i], self.tangents[i], part.dry_mass());
+            base.wet = part.in_water(&at, place, tangent);
             base.added = base.wet.added.about(tangent);
             base.mass = base.added + Matrix3::identity().scaled(dry);
             base.weight = dry * at.world.gravity;
@@ -152,28 +157,16 @@ impl<S: Scalar> LineStep<S> {
     ) -> Result<(), f64> {
         let interval_s = time_s - self.clock[0];
         self.predict(interval_s, ends);
-        let limit = mesh.shortest() * S::constant(CONVERGED);
-        let (mut goes_on, mut last) = (S::ONE, S::ZERO);
-        for iteration in 0..MOST_ITERATIONS {
-            let share = S::constant(if iteration < HALVED_FROM { 1.0 } else { 0.5 });
+        let limits = [CONVERGED, LONGEST_MOVE].map(|share| mesh.shortest() * S::constant(share));
+        self.descent.begin();
+        for _ in 0..MOST_ITERATIONS {
             self.assemble(mesh, ground, S::constant(interval_s));
-            self.blocks.solve(&mut self.moves);
-            let larger = |a: S, b: S| a.select_less(b, || b, || a);
-            last = self.moves.iter().fold(S::ZERO, |most, way| larger(most, way.norm_squared()));
-            for (next, way) in self.next.iter_mut().zip(&self.moves) {
-                let moved = |k: usize| goes_on.select_below(0.5, || next[k], || next[k] + way[k] * share);
-                *next = Vector3([moved(0), moved(1), moved(2)]);
-            }
-            // A lane that has converged stays, as if it were alone.
-            let sum = self.moves.iter().fold(S::ZERO, |sum, way| sum + way.norm_squared());
-            let number = (sum - sum).select_below(0.5, || S::ONE, || S::ZERO);
-            let rests = last.select_less(limit * limit, || number, || S::ZERO);
-            goes_on = rests.select_below(0.5, || goes_on, || S::ZERO);
-            if goes_on.all(|goes_on| goes_on == 0.0) {
+            self.descent.improve(&mut self.blocks, &mut self.next, limits, false);
+            if self.descent.has_arrived() {
                 return Ok(());
             }
         }
-        Err(last.sqrt().value())
+        Err(self.descent.size().value())
     }
 
     /// Sets the first guess: along the way to the last point of this step, or with the velocities at the base.
@@ -223,7 +216,8 @@ impl<S: Scalar> LineStep<S> {
         let (_, after) = self.stretched_to(k, mesh);
         let (ratio, tangent) = length_and_direction(after);
         let (tension, rise) = mesh.elements[k / 2].section.mean_tension([ratio_before, ratio], interval);
-        let per_sum = S::ONE / (ratio_before + ratio);
+        let sum = ratio_before + ratio;
+        let per_sum = S::ONE / sum.select_below(LEAST_RATIO, || S::constant(LEAST_RATIO), || sum);
         let direction = (before + after) * per_sum;
         let across = Matrix3::identity() - Matrix3::outer(direction, tangent);
         let stiffness = Matrix3::outer(direction * rise, tangent) + across.scaled(tension[1] * per_sum);
@@ -283,7 +277,12 @@ impl<S: Scalar> LineStep<S> {
         self.next[node]
     }
 
-    /// Returns the velocity of a node between the ends at the last point, world, m/s.
+    /// Whether the line was advanced since the base of the step.
+    pub fn has_advanced(&self) -> bool {
+        self.clock[2] > 0.0
+    }
+
+    /// Returns the velocity of a node by the midpoint rule at the last point, world, m/s.
     pub fn velocity(&self, node: usize) -> Vector3<S> {
         self.way(node) * S::constant(2.0 / self.clock[2]) - self.base[node].velocity
     }

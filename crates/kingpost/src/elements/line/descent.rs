@@ -1,0 +1,90 @@
+//! Newton's method for the nodes of a line, with a line search.
+//!
+//! A line that only pulls, on a ground that only pushes, has a convex energy, so that its forces fall along every move: a move
+//! after which they push back with more than half of the force that began it has overshot a kink, and is halved.
+
+use super::blocks::Blocks;
+use crate::scalar::Scalar;
+use crate::spatial::Vector3;
+
+/// Force along a move at its end over that at its start at which the move is halved.
+const OVERSHOT: f64 = -0.5;
+
+/// Positions of nodes on their way to the solution. A lane that has arrived stays, as if it were alone.
+#[derive(Clone, Debug)]
+pub struct Descent<S> {
+    /// Newton's moves, m.
+    newton: Vec<Vector3<S>>,
+    /// The last move, m.
+    way: Vec<Vector3<S>>,
+    /// Forces at the present positions, N.
+    forces: Vec<Vector3<S>>,
+    /// Work of the force at the start of the last move along it, J.
+    gain: S,
+    /// Size of Newton's last move, m.
+    size: S,
+    /// 1 until the moves are small enough.
+    goes_on: S,
+}
+
+impl<S: Scalar> Descent<S> {
+    /// Allocates the memory for this number of nodes.
+    pub fn new(count: usize) -> Self {
+        let zero = vec![Vector3::zero(); count];
+        let (newton, way, forces) = (zero.clone(), zero.clone(), zero);
+        Self { newton, way, forces, gain: S::ZERO, size: S::ZERO, goes_on: S::ONE }
+    }
+
+    /// Begins a search.
+    pub fn begin(&mut self) {
+        self.way.fill(Vector3::zero());
+        (self.gain, self.goes_on) = (S::ZERO, S::ONE);
+    }
+
+    /// Moves the nodes, whose equations are given, by at most `longest` (m). Ends the search of each lane whose Newton move is
+    /// shorter than `enough` (m), unless `more` iterations are wanted.
+    pub fn improve(&mut self, blocks: &mut Blocks<S>, nodes: &mut [Vector3<S>], [enough, longest]: [S; 2], more: bool) {
+        self.forces.copy_from_slice(blocks.right());
+        blocks.solve(&mut self.newton);
+        let half = S::constant(0.5);
+        let work = |forces: &[Vector3<S>], way: &[Vector3<S>]| {
+            forces.iter().zip(way).fold(S::ZERO, |sum, (force, way)| sum + force.dot(*way))
+        };
+        let back = work(&self.forces, &self.way).select_less(self.gain * S::constant(OVERSHOT), || S::ONE, || S::ZERO);
+        let larger = |a: S, b: S| a.select_less(b, || b, || a);
+        let squares = self.newton.iter().map(|way| way.norm_squared());
+        let [most, sum] = squares.fold([S::ZERO; 2], |[most, sum], square| [larger(most, square), sum + square]);
+        // NaN and infinity stay.
+        self.size = (most + (sum - sum)).sqrt();
+        let share = self.size.select_less(longest, || S::ONE, || longest / self.size);
+        let of_newton = work(&self.forces, &self.newton) * share;
+        self.gain = back.select_below(0.5, || of_newton, || self.gain * half);
+        for ((node, way), newton) in nodes.iter_mut().zip(&mut self.way).zip(&self.newton) {
+            for k in 0..3 {
+                let (halved, whole) = (way[k] * half, newton[k] * share);
+                let moved = node[k] + back.select_below(0.5, || whole, || -halved);
+                node[k] = self.goes_on.select_below(0.5, || node[k], || moved);
+                way[k] = back.select_below(0.5, || whole, || halved);
+            }
+        }
+        let small = self.size.select_less(enough, || S::ONE - back, || S::ZERO);
+        if !(more && small.all(|small| small == 1.0)) {
+            self.goes_on = small.select_below(0.5, || self.goes_on, || S::ZERO);
+        }
+    }
+
+    /// Whether all lanes have arrived.
+    pub fn has_arrived(&self) -> bool {
+        self.goes_on.all(|goes_on| goes_on == 0.0)
+    }
+
+    /// Whether all Newton moves of the last iteration were shorter than this, m.
+    pub fn is_small(&self, enough: S) -> bool {
+        (self.size - enough).all(|excess| excess < 0.0)
+    }
+
+    /// Returns the size of Newton's last move, m.
+    pub fn size(&self) -> S {
+        self.size
+    }
+}

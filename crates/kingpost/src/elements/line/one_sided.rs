@@ -1,0 +1,121 @@
+//! A damped spring that acts in one direction only: the tension of a line, the support of the ground.
+//!
+//! Over its stiffness, the force at the deflection x and its rate x' is
+//!
+//! ```text
+//! x' > 0:  max(x, 0) + max(tau x' - max(-x, 0), 0)
+//! x' < 0:  max(max(x, 0) + tau x', 0)
+//! ```
+//!
+//! Its elastic part is max(x, 0). The force is continuous, increases with x and with x', and takes energy at any motion: a
+//! spring that closes fast acts up to tau x' before it touches, instead of with a jump.
+
+use crate::scalar::Scalar;
+
+/// Difference of two deflections below which the mean of their positive parts is taken at both.
+const EQUAL: f64 = 1e-12;
+
+/// The force of a one-sided spring over its stiffness.
+#[derive(Clone, Copy, Debug)]
+pub struct OneSided<S> {
+    /// Elastic part, whose work is stored.
+    pub elastic: S,
+    /// Elastic and damping part.
+    pub whole: S,
+    /// Derivative of the whole along the deflection: at the end of the interval for a mean force.
+    pub slope: S,
+}
+
+/// Returns the force at a deflection and its rate.
+pub fn one_sided<S: Scalar>(deflection: S, rate: S, tau: S) -> OneSided<S> {
+    let [elastic, gap] = [positive(deflection), positive(-deflection)];
+    let closes = elastic + positive(tau * rate - gap);
+    let opens = positive(elastic + tau * rate);
+    OneSided { elastic, whole: rate.select_below(0.0, || opens, || closes), slope: S::ZERO }
+}
+
+/// Returns the mean force over an interval between two deflections: its elastic part changes max(x, 0)^2 / 2 by its product
+/// with the change of x.
+pub fn mean_one_sided<S: Scalar>([before, after]: [S; 2], interval_s: S, tau: S) -> OneSided<S> {
+    let (elastic, rise) = mean_of_positive(before, after);
+    let (gap, narrows) = mean_of_positive(-before, -after);
+    let (way, share) = (after - before, tau / interval_s);
+    let damping = share * way;
+    let if_positive = |number: S, value: S| number.select_below(0.0, || S::ZERO, || value);
+    let closes = (elastic + positive(damping - gap), rise + if_positive(damping - gap, share + narrows));
+    let opens = (positive(elastic + damping), if_positive(elastic + damping, rise + share));
+    OneSided {
+        elastic,
+        whole: way.select_below(0.0, || opens.0, || closes.0),
+        slope: way.select_below(0.0, || opens.1, || closes.1),
+    }
+}
+
+fn positive<S: Scalar>(x: S) -> S {
+    x.select_below(0.0, || S::ZERO, || x)
+}
+
+/// Returns the mean of max(x, 0) over the way from one number to another, which is the difference quotient of
+/// max(x, 0)^2 / 2, and its derivative along the second number.
+fn mean_of_positive<S: Scalar>(before: S, after: S) -> (S, S) {
+    let half = S::constant(0.5);
+    let [a, b] = [positive(before), positive(after)];
+    let way = after - before;
+    let near = way.select_below(EQUAL, || way.select_below(-EQUAL, || S::ZERO, || S::ONE), || S::ZERO);
+    let is_below = |x: S| x.select_below(0.0, || S::ONE, || S::ZERO);
+    let differ = is_below(before) - is_below(after);
+    let one_sign = S::ONE - differ * differ;
+    let simple = (one_sign + near).select_below(0.5, || S::ZERO, || S::ONE);
+    let safe = simple.select_below(0.5, || way, || S::ONE);
+    let quotient = (b * b - a * a) * half / safe;
+    let slope = after.select_below(0.0, || S::ZERO, || half);
+    (
+        simple.select_below(0.5, || quotient, || (a + b) * half),
+        simple.select_below(0.5, || (b - quotient) / safe, || slope),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const DEFLECTIONS: [f64; 6] = [-0.3, -0.1, 0.0, 0.05, 0.2, 1.0];
+
+    #[test]
+    fn the_elastic_part_changes_the_stored_energy_and_damping_takes_energy() {
+        let energy = |x: f64| 0.5 * x.max(0.0) * x.max(0.0);
+        for before in DEFLECTIONS {
+            for after in DEFLECTIONS {
+                let mean = mean_one_sided([before, after], 0.1, 0.03);
+                // Rounding of numbers of about 1.
+                assert!((mean.elastic * (after - before) - (energy(after) - energy(before))).abs() < 1e-15);
+                assert!((mean.whole - mean.elastic) * (after - before) >= -1e-15, "{before} {after}");
+                assert!(mean.whole >= 0.0);
+            }
+        }
+    }
+
+    #[test]
+    fn the_mean_force_over_a_short_interval_is_the_force() {
+        for deflection in DEFLECTIONS {
+            for rate in [-2.0, -0.1, 0.0, 0.5, 20.0] {
+                let h = 1e-7;
+                let mean = mean_one_sided([deflection, deflection + h * rate], h, 0.03);
+                let now = one_sided(deflection, rate, 0.03);
+                // First order in the interval, at rates of up to 20.
+                assert!((mean.whole - now.whole).abs() < 1e-5, "{deflection} {rate} {mean:?} {now:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_slope_is_the_derivative_of_the_mean_force() {
+        for before in DEFLECTIONS {
+            for after in [-0.25, -0.04, 0.03, 0.21, 0.9] {
+                let at = |after: f64| mean_one_sided([before, after], 0.1, 0.03);
+                let difference = (at(after + 1e-6).whole - at(after - 1e-6).whole) / 2e-6;
+                assert!((difference - at(after).slope).abs() < 1e-6, "{before} {after} {difference} {:?}", at(after));
+            }
+        }
+    }
+}

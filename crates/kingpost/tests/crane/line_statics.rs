@@ -1,0 +1,136 @@
+//! Lines with mass at rest: the elastic catenary, the seabed, and what hangs on them.
+
+use kingpost::elements::lines::{Catenary, Span};
+use kingpost::elements::{DynamicLine, LineGround, LinePart, LineSection};
+use kingpost::scenario::read;
+use kingpost::simulation::{Setup, Simulation};
+use kingpost::spatial::{Frame, Vector3};
+
+const G: f64 = 9.80665;
+
+/// Chain: 685 kg/m, without water.
+const CHAIN: LineSection = LineSection {
+    mass_per_length: 685.0,
+    diameter: 1e-9,
+    axial_stiffness: 3.27e9,
+    damping_time: 0.0,
+    added_mass: [1.0, 0.0],
+    drag: [1.2, 0.0],
+};
+
+fn setup(more: &str) -> Setup {
+    let text = format!(
+        "version: 1
+title: A line at rest
+simulation: {{step_s: 0.05, duration_s: 10, record_every_s: 0.1}}
+{more}"
+    );
+    read(&text, "line.yaml", &[]).expect("it reads").setup().expect("it builds")
+}
+
+const ALONE: &str = "forces: {gravity: {gravity: {}}}
+bodies: {point: {mass_kg: 1, shape: {point: {}}, joint: {fixed: {}}}}
+";
+
+/// Returns tension at both ends and length on the ground of a line at rest between two points of the world.
+fn at_rest([from, to]: [[f64; 3]; 2], parts: &[LinePart], ground: Option<LineGround>) -> [f64; 3] {
+    let mut setup = setup(ALONE);
+    let ends = [from, to].map(|point| setup.model.attachment(None, Frame::translation(Vector3(point))));
+    let line = DynamicLine::new("chain", ends, parts);
+    setup.elements.push(Box::new(match ground {
+        Some(ground) => line.on(ground),
+        None => line,
+    }));
+    let mut run = Simulation::new(setup);
+    ["line_tension", "line_end_tension", "line_grounded_length"].map(|name| crate::common::values(&mut run, name)[0])
+}
+
+#[test]
+fn a_hanging_line_is_an_elastic_catenary_to_fourth_order() {
+    let catenary = Catenary { unstretched_length: 850.0, weight: 685.0 * G, axial_stiffness: 3.27e9, on_seabed: false };
+    let force = catenary.force(&Span { across: 779.6, up: 186.0 });
+    let [upper, lower, _] = catenary.tensions(&force);
+    let errors = [10, 20, 40, 160].map(|elements| {
+        let part = LinePart { unstretched_length: 850.0, section: CHAIN, elements };
+        let [first, last, _] = at_rest([[0.0, 0.0, -14.0], [779.6, 0.0, -200.0]], &[part], None);
+        (first / upper - 1.0).abs().max((last / lower - 1.0).abs())
+    });
+    assert!(errors[0] / errors[1] > 12.0 && errors[1] / errors[2] > 12.0, "{errors:?}");
+    assert!(errors[3] < 1e-9, "{errors:?}");
+}
+
+#[test]
+fn a_line_over_the_seabed_is_a_grounded_catenary() {
+    // 200 m hang over 60 m of water, 300 m lie; the lying part sinks by w / k, a thousandth of the depth.
+    let catenary = Catenary { unstretched_length: 430.0, weight: 685.0 * G, axial_stiffness: 3.27e9, on_seabed: true };
+    let force = catenary.force(&Span { across: 400.0, up: 60.0 });
+    let [upper, lower, lies] = catenary.tensions(&force);
+    let ground =
+        LineGround { depth: 60.0, stiffness_per_length: 1e6, damping_time: 0.0, friction: 0.0, sliding_speed: 0.01 };
+    let part = LinePart { unstretched_length: 430.0, section: CHAIN, elements: 86 };
+    let [first, last, grounded] = at_rest([[400.0, 0.0, 0.0], [0.0, 0.0, -60.0]], &[part], Some(ground));
+    // The touchdown lies somewhere in an element of 5 m: a second-order error of its length over that of the hanging part.
+    assert!((first / upper - 1.0).abs() < 2e-3, "{first} {upper}");
+    assert!((last / lower - 1.0).abs() < 5e-3, "{last} {lower}");
+    assert!((grounded - lies).abs() < 5.0, "{grounded} {lies}");
+}
+
+#[test]
+fn a_line_that_is_longer_than_its_way_lies_slack_on_the_seabed() {
+    // The hanging part is vertical, and its tension is its weight: z = V / w + V^2 / 2 EA w.
+    let ground =
+        LineGround { depth: 60.0, stiffness_per_length: 1e6, damping_time: 0.0, friction: 0.0, sliding_speed: 0.01 };
+    let part = LinePart { unstretched_length: 430.0, section: CHAIN, elements: 86 };
+    let [first, last, _] = at_rest([[330.0, 0.0, 0.0], [0.0, 0.0, -60.0]], &[part], Some(ground));
+    // Half an element more or less hangs, and carries its weight.
+    assert!((first / (685.0 * G * 60.0) - 1.0).abs() < 0.05, "{first}");
+    assert!(last < 0.02 * first, "{last} {first}");
+}
+
+#[test]
+fn sections_of_a_line_carry_what_hangs_below_them() {
+    // A vertical line of two sections: the tension at the top is the weight of both.
+    let wire = LineSection { mass_per_length: 30.0, axial_stiffness: 8e8, ..CHAIN };
+    let parts = [
+        LinePart { unstretched_length: 100.0, section: wire, elements: 3 },
+        LinePart { unstretched_length: 50.0, section: CHAIN, elements: 2 },
+    ];
+    let pull = 2e5;
+    // Stretch of each section under its load at the middle, which is exact.
+    let of_wire = (pull + (685.0 * 50.0 + 30.0 * 50.0) * G) * 100.0 / 8e8;
+    let of_chain = (pull + 685.0 * 25.0 * G) * 50.0 / 3.27e9;
+    let bottom = -(150.0 + of_wire + of_chain);
+    let [first, last, _] = at_rest([[0.0, 0.0, 0.0], [0.0, 0.0, bottom]], &parts, None);
+    let weight = (30.0 * 100.0 + 685.0 * 50.0) * G;
+    assert!((first - pull - weight).abs() < 1e-6 * weight, "{first}");
+    assert!((last - pull).abs() < 1e-6 * weight, "{last}");
+}
+
+#[test]
+fn a_moored_float_settles_where_its_lines_hold_it() {
+    // A body of 20 t hangs on two equal lines; each carries half its weight and half of that of the line beyond.
+    let more = "forces: {gravity: {gravity: {}}}
+bodies:
+  load: {mass_t: 20, shape: {point: {}}, joint: {floating: {hold_rotation: true, initial: {position_m: [0, 0, -60]}}}}
+";
+    let mut setup = setup(more);
+    let wire = LineSection { mass_per_length: 30.0, axial_stiffness: 8e8, ..CHAIN };
+    for (name, x) in [("left", -50.0), ("right", 50.0)] {
+        let ends = [
+            setup.model.attachment(None, Frame::translation(Vector3::new(x, 0.0, 0.0))),
+            setup.model.attachment(Some(0), Frame::translation(Vector3::zero())),
+        ];
+        let part = LinePart { unstretched_length: 80.0, section: wire, elements: 8 };
+        setup.elements.push(Box::new(DynamicLine::new(name, ends, &[part])));
+    }
+    let mut run = Simulation::new(setup);
+    let found = run.settle().expect("there is an equilibrium");
+    assert!(found.residual < 1e-9, "{found:?}");
+    let before = run.state().q.clone();
+    run.step(200).expect("it does not diverge");
+    let moved = run.state().q.iter().zip(&before).map(|(now, then)| (now - then).abs()).fold(0.0, f64::max);
+    // It stays at rest: positions of 80 m have a rounding of 1e-14 m.
+    assert!(moved < 1e-9, "{moved}");
+    let [left, right] = [0, 1].map(|line| crate::common::values(&mut run, "line_tension")[line]);
+    assert!((left / right - 1.0).abs() < 1e-9, "{left} {right}");
+}
