@@ -3,16 +3,18 @@
     pip install moordyn numpy
     python python/tests/peers/lines.py -o python/kingpost/verify/lines.json
 
-gives the figures again, in ten minutes; with `--only chain-small-40` just those of one run. Nothing of Kingpost is used.
+gives the figures again, in ten minutes; with `--only chain-small-40` just those of one run. Nothing of
+Kingpost is used.
 
-Chain: 850 m of studless chain from a fairlead to an anchor, partly on a level bottom without friction (`rest`); its fairlead
-moves in heave and surge with two periods (`small`, `large`). Wire: 3000 m of steel wire with a load at its end, in deep
-water; its upper end moves in heave (`half`). Motions grow from rest by a polynomial of fifth degree.
+Chain: 850 m of studless chain from a fairlead to an anchor, partly on a level bottom without friction
+(`rest`); its fairlead moves in heave and surge with two periods (`small`, `large`). Wire: 3000 m of steel
+wire with a load at its end, in deep water; its upper end moves in heave by half a metre (`half`). Motions
+grow from rest by a polynomial of fifth degree.
 
-Tension: that at the very end of the line, from the force of MoorDyn on its coupled point, less mass times acceleration of
-the half node there. MoorDyn's own output is the tension of the last segment, which lacks weight and inertia of this half
-node. After a step, forces are those of the last stage of MoorDyn's scheme, half a step before its end: each sample is the
-mean of two of them.
+Tension: that at the very end of the line, from the force of MoorDyn on its coupled point, less mass times
+acceleration of the half node there. MoorDyn's own output is the tension of the last segment, which lacks
+weight and inertia of this half node. After a step, forces are those of the last stage of MoorDyn's scheme,
+half a step before its end: each sample is the mean of two of them.
 
 Steps: one call of MoorDyn for each of its own steps, because it extrapolates the coupled point within a call.
 """
