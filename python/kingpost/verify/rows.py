@@ -21,6 +21,7 @@ AREAS = {
     "hydrostatics": "Hydrostatics and stability",
     "hydrodynamics": "Added mass, damping and wave loads",
     "mooring": "Mooring lines",
+    "lines": "Lines with mass",
     "flow": "Drag, wind and current",
     "positioning": "Dynamic positioning",
     "response": "Response to waves",

@@ -1,0 +1,59 @@
+"""Lines with mass compared with MoorDyn: its stored runs, closed forms, and the page."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from kingpost import verify
+from kingpost.verify import lines, rows, running
+
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "validation.md"
+KEPT = lines.kept()
+
+
+def test_a_line_rests_as_a_catenary_and_as_in_moordyn() -> None:
+    """Source: the rows, at rest."""
+    still = [one for one in running.checks("lines") if re.search("rest|hanging", one.id)]
+    assert len(still) == 3
+    assert {rows.measured(one).verdict for one in still} == {verify.PASSED}
+
+
+def test_the_kept_run_of_the_wire_has_the_amplitude_of_a_bar() -> None:
+    """Source: closed forms. Lumped masses: MoorDyn is 5e-5 low with 80 segments."""
+    theirs = np.array(KEPT["wire"]["half"]["segments"]["80"]["tension_N"])
+    amplitude, natural = lines.bar()
+    assert amplitude == pytest.approx(383_079.6, abs=0.1)
+    assert 2 * np.pi / natural == pytest.approx(6.781, abs=1e-3)
+    assert lines.harmonic(lines.sampled(), theirs) == pytest.approx(amplitude, rel=1e-4)
+
+
+def test_the_catenary_of_the_chain_is_that_of_its_equations() -> None:
+    """Source: the forces, put in the equations of Irvine for a line on a solid bottom."""
+    chain = KEPT["chain"]
+    pull, lift = lines.catenary(chain, True)
+    weight = (685 - 1025 * np.pi / 4 * 0.333**2) * 9.80665
+    hanging = lift / weight
+    across = 850 - hanging + pull / weight * np.arcsinh(lift / pull) + pull * 850 / 3.27e9
+    up = (np.hypot(pull, lift) - pull) / weight + lift**2 / (2 * 3.27e9 * weight)
+    assert (across, up) == pytest.approx((779.6, 186.0), abs=1e-7)
+    assert np.hypot(pull, lift) == pytest.approx(2_435_559.7, abs=0.1)
+
+
+def test_the_stored_runs_name_their_origin() -> None:
+    script = Path(__file__).parent / "peers" / "lines.py"
+    assert json.dumps(KEPT["command"])[1:-1] in script.read_text(encoding="utf-8")
+
+
+@pytest.mark.thorough
+def test_the_page_agrees_with_the_present_results_of_lines() -> None:
+    """Source: the rows; the page has bounds of their differences."""
+    page = PAGE.read_text(encoding="utf-8").split("### Lines with mass")[1].split("\n## ")[0]
+    printed = dict(re.findall(r"^\| .*\| `([a-z-]+)` \| ([\d.e-]+) \|$", page, re.MULTILINE))
+    found = {one.id: one for one in running.checks("lines")}
+    assert set(printed) == set(found)
+    for name, bound in printed.items():
+        assert found[name].measure().error < float(bound) <= found[name].tolerance, name
