@@ -1,0 +1,124 @@
+"""Lines with mass: what a user does with them, and mistakes."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import kingpost
+import numpy as np
+import pytest
+from line_samples import CHAIN, chain, with_section
+
+LENGTH = "forces.chain.line.sections.0.unstretched_length_m"
+STIFFNESS = "forces.chain.line.sections.0.axial_stiffness_N"
+DRAG = "forces.chain.line.sections.0.drag_across"
+HEIGHT = "sea.waves.swell.regular.height_m"
+
+
+def written(folder: Path, scenario: dict[str, Any]) -> Path:
+    """The scenario as a file."""
+    path = folder / "chain.yaml"
+    path.write_text(json.dumps(scenario))
+    return path
+
+
+@pytest.fixture(scope="module")
+def scenario(tmp_path_factory: pytest.TempPathFactory) -> kingpost.Scenario:
+    return kingpost.load(written(tmp_path_factory.mktemp("lines"), CHAIN))
+
+
+def test_each_run_of_a_batch_has_the_bits_of_the_run_alone(scenario):
+    lengths = [848, 850, 851, 855, 840]
+    found = kingpost.Batch(scenario, {LENGTH: lengths}).run()
+    for run, length in enumerate(lengths):
+        alone = kingpost.run(scenario, {LENGTH: length})
+        for name in ("line_tension", "line_end_tension", "line_grounded_length", "energy_error"):
+            np.testing.assert_array_equal(found[name].isel(run=run).values, alone[name].values, err_msg=name)
+
+
+@pytest.mark.parametrize("path", [STIFFNESS, LENGTH, DRAG, HEIGHT])
+def test_derivatives_agree_with_central_differences(scenario, path):
+    """Source: differences with steps h and 2 h, whose error is a third of their difference."""
+    value = kingpost.load(scenario).model and float(_value(CHAIN, path))
+    step = 1e-5 * value
+    found = kingpost.gradient(scenario, path)
+    runs = kingpost.Batch(scenario, {path: [value + by * step for by in (1, -1, 2, -2)]}).run()
+    for name in ("line_tension", "line_end_tension"):
+        tension = runs[name].squeeze()
+        fine = (tension.isel(run=0) - tension.isel(run=1)) / (2 * step)
+        coarse = (tension.isel(run=2) - tension.isel(run=3)) / (4 * step)
+        exact = found[f"{name}_derivative"].squeeze()
+        # Newton's method leaves 1e-12 of the tension, over the step of 1e-5.
+        bound = 2 * float(np.abs(fine - coarse).max()) + 1e-6 * float(np.abs(exact).max())
+        bound += 1e-11 * float(tension.max()) / step
+        assert float(np.abs(exact - fine).max()) <= bound, name
+        assert float(np.abs(exact).max()) > 0, name
+
+
+def _value(scenario: dict[str, Any], path: str) -> Any:
+    found: Any = scenario
+    for part in path.split("."):
+        found = found[int(part)] if isinstance(found, list) else found.get(part, 1.2)
+    return found
+
+
+def test_a_run_goes_on_from_a_snapshot_with_the_same_bits(scenario):
+    simulation = kingpost.Simulation(scenario)
+    simulation.step(40)
+    snapshot = simulation.snapshot()
+    simulation.step(20)
+    there = simulation.state
+    again = kingpost.Simulation(scenario)
+    again.restore(snapshot)
+    again.step(20)
+    for one, other in zip(there, again.state, strict=True):
+        np.testing.assert_array_equal(one, other)
+
+
+def test_a_line_at_rest_stays_at_rest(tmp_path):
+    """Source: without waves and with the fairlead held, nothing moves; the tension has a rounding of 1e-9."""
+    still = json.loads(json.dumps(CHAIN))
+    still["sea"].pop("waves")
+    still["bodies"]["fairlead"]["joint"]["prismatic"].pop("mode")
+    still["bodies"]["fairlead"]["joint"]["prismatic"]["mode"] = "held"
+    found = kingpost.run(written(tmp_path, still))
+    tension = found["line_tension"].squeeze()
+    assert float(np.abs(tension / tension[0] - 1).max()) < 1e-6
+
+
+def test_the_step_of_a_ship_is_not_too_long(scenario):
+    assert kingpost.stable_step(scenario) is None
+    assert kingpost.Simulation(scenario).model_warnings == []
+
+
+MISTAKES = {
+    "no stiffness": (with_section(axial_stiffness_N=0), "sections.0.axial_stiffness_N"),
+    "no mass": (with_section(mass_kg_per_m=0), "sections.0.mass_kg_per_m"),
+    "no diameter": (with_section(diameter_m=0), "sections.0.diameter_m"),
+    "no elements": (with_section(elements=0), "sections.0.elements"),
+    "too many elements": (with_section(elements=3000), "sections"),
+    "no sections": (chain(sections=[]), "sections"),
+    "negative drag": (with_section(drag_across=-1), "sections.0.drag_across"),
+    "much too short": (with_section(unstretched_length_m=500), "sections.0.unstretched_length_m"),
+    "an end below the seabed": (chain(second={"body": "world", "position_m": [779.6, 0, -230]}), "second"),
+    "both ends on one body": (chain(second={"body": "fairlead", "position_m": [1, 0, 0]}), "second.body"),
+    "an unknown body": (chain(first={"body": "ship", "position_m": [1, 0, 0]}), "first.body"),
+    "a seabed without friction": (chain(seabed={}), "seabed"),
+}
+
+
+@pytest.mark.parametrize("mistake", MISTAKES)
+def test_a_mistake_is_refused_by_field(mistake, tmp_path):
+    given, field = MISTAKES[mistake]
+    with pytest.raises(kingpost.KingpostError) as refused:
+        kingpost.Simulation(kingpost.load(written(tmp_path, given)))
+    assert f"forces.chain.line.{field}" in str(refused.value)
+
+
+def test_a_seabed_needs_a_depth(tmp_path):
+    given = json.loads(json.dumps(CHAIN))
+    given["sea"].pop("depth_m")
+    with pytest.raises(kingpost.KingpostError, match="seabed.depth_m"):
+        kingpost.Simulation(kingpost.load(written(tmp_path, given)))
