@@ -33,16 +33,16 @@ def run(options: argparse.Namespace) -> int:
     from ..convert import convert
 
     output = None if options.output is None else check_output(options.output, ENDINGS)
+    found = convert(options.file, options.name)
     if output is not None and output.exists() and output.samefile(options.file):
         raise KingpostError(f"--output: found {options.output!r}, allowed: another file than the input")
-    found = convert(options.file, options.name)
     if output is None:
         show(options, lambda: found.text, lambda: _data(found, None))
     else:
         write_text(output, found.text)
         show(options, lambda: _report(found), lambda: _data(found, output))
         note(options, f"\nwritten  {output}")
-    return _checked(found, options.file if output is None else str(output))
+    return _checked(found, "scenario" if output is None else str(output))
 
 
 def _checked(found: Converted, file: str) -> int:

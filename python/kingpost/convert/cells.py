@@ -110,10 +110,10 @@ class Notes:
         self.converted.append(Note(line, _quote(text), why))
 
     def sorted(self) -> Notes:
-        """Notes in the order of the file, without repetitions."""
+        """Notes in the order of the file, without repetitions; those on no line are last."""
 
         def in_order(notes: list[Note]) -> list[Note]:
-            return sorted(dict.fromkeys(notes), key=lambda note: note.line or 0)
+            return sorted(dict.fromkeys(notes), key=lambda note: (note.line is None, note.line or 0))
 
         return Notes(in_order(self.left_out), in_order(self.converted))
 
@@ -124,6 +124,7 @@ def _quote(text: str) -> str:
 
 def unreadable(path: str | Path, why: object, allowed: str) -> ScenarioError:
     """Build the error that a file cannot be read as a whole."""
-    said = shortened(printable(" ".join(str(why).split())), 300)
+    words = getattr(why, "strerror", None) or str(why)
+    said = shortened(printable(" ".join(words.split())), 300)
     message = f"{path}: found {said}, allowed: {allowed}"
     return ScenarioError(message, str(path), None, None, None, said, allowed)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+import warnings
 
 from .cells import Cell
 from .deck import VESSEL, WORLD, Body, Deck, Point, Vector
@@ -120,7 +121,10 @@ def _orientation(row: Row, deck: Deck) -> Vector:
     from scipy.spatial.transform import Rotation
 
     angles = vector(row, 5, "r0 p0 y0")
-    yaw, pitch, roll = Rotation.from_euler("XYZ", angles, degrees=True).as_euler("ZYX")
+    with warnings.catch_warnings():
+        # At a pitch of 90 degrees one of many triples of angles is as good as another.
+        warnings.simplefilter("ignore", UserWarning)
+        yaw, pitch, roll = Rotation.from_euler("XYZ", angles, degrees=True).as_euler("ZYX")
     if sum(angle != 0 for angle in angles) > 1:
         text = " ".join(cell.text for cell in row.cells[5:8])
         deck.notes.convert(row.line, text, "angles about x, y, z in turn are written as roll, pitch, yaw")

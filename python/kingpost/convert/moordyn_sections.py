@@ -111,7 +111,7 @@ def read(path: str | Path) -> Sections:
     try:
         lines = text_of(path, errors="replace").splitlines()
     except (OSError, UnicodeDecodeError) as error:
-        raise unreadable(path, f"a file that cannot be read ({error})", ALLOWED) from None
+        raise unreadable(path, error, ALLOWED) from None
     each: list[Section] = []
     title, current, labels = "", None, 0
     for number, line in enumerate(lines, 1):

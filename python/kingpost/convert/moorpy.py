@@ -128,7 +128,7 @@ def _root(path: str | Path) -> yaml.Node:
                 raise yaml.YAMLError(f"more than {DEEPEST} lists or mappings in each other")
         root = yaml.compose(text, Loader=yaml.SafeLoader)
     except (OSError, UnicodeDecodeError, RecursionError, yaml.YAMLError) as error:
-        raise unreadable(path, f"a file that cannot be read ({error})", ALLOWED) from None
+        raise unreadable(path, error, ALLOWED) from None
     if root is None:
         raise unreadable(path, "an empty file", ALLOWED)
     return root
@@ -140,10 +140,13 @@ def _mooring(whole: Entry, deck: Deck) -> tuple[Entry, Entry | None]:
         whole.leave_out(deck.notes, KNOWN, {"anchor_types": "anchors hold in every direction"})
         return whole, None
     whole.leave_out(deck.notes, ("mooring", "site"), {})
-    site = whole.values.get("site")
+    node = whole.values.get("site")
+    site = None if node is None or node.id != "mapping" else entry("site", node, whole.place.file)
+    if site is not None:
+        site.leave_out(deck.notes, ("water_depth", "rho_water", "g"), {})
     data = entry("", whole.values["mooring"], whole.place.file)
     data.leave_out(deck.notes, KNOWN, {"anchor_types": "anchors hold in every direction"})
-    return data, None if site is None or site.id != "mapping" else entry("site", site, whole.place.file)
+    return data, site
 
 
 def _read_water(data: Entry, site: Entry | None, deck: Deck) -> None:

@@ -7,7 +7,7 @@ import re
 from typing import Any
 
 from . import loads
-from .deck import WORLD, Deck, Point, Segment, Vector
+from .deck import WORLD, Body, Deck, Point, Segment, Vector
 from .joining import Joined, attached, joined
 
 DURATION_S, RECORD_EVERY_S = 100.0, 0.1
@@ -101,6 +101,7 @@ class _Builder:
         for one in deck.bodies.values():
             self.bodies[one.name] = loads.body(one, deck)
             self.forces |= loads.water_on_body(one, deck)
+            self._note_stiffness(one)
         self._points()
         for line in self.lines:
             self.forces[self._name(line.name, self.forces, "line")] = {"line": self._line(line)}
@@ -160,6 +161,14 @@ class _Builder:
         whole = mass + self.deck.water.density_kg_m3 * point.volume_m3 * point.added_mass
         self.is_stiff |= self._is_too_light(meeting, whole)
 
+    def _note_stiffness(self, body: Body) -> None:
+        if body.motion != "free" or not body.mass_kg:
+            return
+        carried = [name for name, point in self.deck.points.items() if point.body == body.name]
+        meeting = [part for name in carried for line in self.lines for part in self._parts_at(line, name)]
+        added = self.deck.water.density_kg_m3 * body.volume_m3 * min(body.added_mass)
+        self.is_stiff |= self._is_too_light(meeting, body.mass_kg + added)
+
     def _parts_at(self, line: Joined, name: str) -> list[Segment]:
         ends = zip(line.ends, (line.parts[0], line.parts[-1]), strict=True)
         return [part for end, part in ends if end == name]
@@ -168,7 +177,7 @@ class _Builder:
         """Whether a step of the deck is too long for a body between elements of these segments."""
         step = self.deck.step_s or 0.0
         rate = sum(4 * part.kind.stiffness_n * elements(part) / part.length_m for part in meeting) / mass
-        damping = max(_damping_time(part) or 0.01 for part in meeting)
+        damping = max((_damping_time(part) or 0.01 for part in meeting), default=0.0)
         return rate * step * (step + damping) > 1
 
     def _line(self, line: Joined) -> dict[str, Any]:

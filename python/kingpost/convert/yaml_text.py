@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import textwrap
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -12,8 +13,6 @@ import yaml
 from .cells import Note, Notes
 
 WIDTH = 118
-BLOCKS = ("simulation", "sea", "bodies", "forces", "line", "sections")
-"""Fields whose values stand on lines of their own, with those of `bodies` and `forces`."""
 
 
 class _Inline(dict[str, Any]):
@@ -24,16 +23,22 @@ class _Dumper(yaml.SafeDumper):
     """Writer of YAML with short lists in lines, and numbers in their shortest form."""
 
     def ignore_aliases(self, data: Any) -> bool:
+        """Write a repeated value each time."""
         return True
+
+    def increase_indent(self, flow: bool = False, indentless: bool = False) -> None:
+        """Indent lists in mappings."""
+        super().increase_indent(flow, False)
 
 
 def _number(dumper: yaml.SafeDumper, value: float) -> yaml.Node:
     if value == int(value) and abs(value) < 1e7:
         return dumper.represent_scalar("tag:yaml.org,2002:int", str(int(value)))
-    mantissa, _, exponent = f"{value:.12g}".partition("e")
-    text = (
-        mantissa if not exponent else f"{mantissa if '.' in mantissa else mantissa + '.0'}e{int(exponent):+d}"
-    )
+    text = f"{value:.10g}"
+    if "." not in text or "e" in text:
+        mantissa, _, exponent = f"{value:.9e}".partition("e")
+        digits = mantissa.rstrip("0")
+        text = f"{digits}{'0' * digits.endswith('.')}e{int(exponent):+d}"
     return dumper.represent_scalar("tag:yaml.org,2002:float", text)
 
 
@@ -86,26 +91,23 @@ def _comments(source: str, notes: Notes) -> Iterator[str]:
 
 
 def rows(notes: list[Note]) -> list[tuple[str, str, str]]:
-    """Lines, text and reason of each note; several in a row with one reason are one.
+    """Lines, text and reason of each note; neighbours with one reason are one.
 
-    >>> rows([Note(7, "FairTen1", "left out"), Note(8, "FairTen2", "left out")])
-    [('lines 7-8', 'FairTen1 ...', 'left out')]
+    >>> rows([Note(7, "FairTen1", "left out"), Note(8, "FairTen2", "left out"), Note(10, "T", "left out")])
+    [('lines 7-8, 10', 'FairTen1 ...', 'left out')]
     """
-    found: list[tuple[Note, Note]] = []
-    for note in notes:
-        if found and found[-1][0].why == note.why and note.line is not None:
-            found[-1] = found[-1][0], note
+    groups = [(why, list(each)) for why, each in itertools.groupby(notes, lambda note: note.why)]
+    return [(_lines(each), each[0].text + " ..." * (len(each) > 1), why) for why, each in groups]
+
+
+def _lines(notes: list[Note]) -> str:
+    """Numbers of lines as ranges."""
+    ranges: list[list[int]] = []
+    for line in dict.fromkeys(note.line for note in notes if note.line is not None):
+        if ranges and line == ranges[-1][1] + 1:
+            ranges[-1][1] = line
         else:
-            found.append((note, note))
-    return [
-        ("" if first.line is None else _lines(first.line, last.line), _several(first, last), first.why)
-        for first, last in found
-    ]
-
-
-def _lines(first: int, last: int | None) -> str:
-    return f"line {first}" if last in (None, first) else f"lines {first}-{last}"
-
-
-def _several(first: Note, last: Note) -> str:
-    return first.text if first is last else f"{first.text} ..."
+            ranges.append([line, line])
+    words = ", ".join(str(first) if first == last else f"{first}-{last}" for first, last in ranges)
+    several = len(ranges) > 1 or (ranges and ranges[0][0] != ranges[0][1])
+    return f"line{'s' * bool(several)} {words}" if ranges else ""
