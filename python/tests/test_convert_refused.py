@@ -73,7 +73,8 @@ WRONG = [
     ("2e6     kBot", "soft     kBot", "OPTIONS.kBot: found 'soft'"),
     ("- LINE TYPES -", "- ROD TYPES -", "LINE TYPES: found no section LINE TYPES"),
     (
-        "1   chain     1        2        405       20       p\n2   wire      2        3        405       11       -\n",
+        "1   chain     1        2        405       20       p\n"
+        "2   wire      2        3        405       11       -\n",
         "",
         "15: LINES: found a section LINES without rows",
     ),
