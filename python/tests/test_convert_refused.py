@@ -26,6 +26,7 @@ WRONG = [
     ("0.333  685.0", "0  685.0", "6:11: LINE TYPES.Diam: found '0', allowed: a number greater than 0"),
     ("0.333  685.0", "0.333  -685.0", "LINE TYPES.Mass/m: found '-685.0'"),
     ("0.333  685.0", "0.333  nan", "LINE TYPES.Mass/m: found 'nan'"),
+    ("3.27e9", "1e200", "LINE TYPES.EA: found '1e200', allowed: 0, or a number from 1e-30 to 1e+30"),
     ("3.27e9", "1e999", "LINE TYPES.EA: found '1e999'"),
     (
         "3.27e9",

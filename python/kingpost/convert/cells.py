@@ -11,6 +11,8 @@ from ..errors import ScenarioError, printable, shortened
 
 LONGEST_QUOTE = 60
 """Longest quote of a file in a note, characters."""
+SMALLEST, LARGEST = 1e-30, 1e30
+"""Magnitudes of numbers whose products and quotients are finite."""
 NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
 
 
@@ -50,6 +52,8 @@ class Cell:
         3270000000.0
         """
         found = float(self.text) if NUMBER.fullmatch(self.text) else math.nan
+        if math.isfinite(found) and found and not SMALLEST <= abs(found) <= LARGEST:
+            raise self.error(name, f"0, or a number from {SMALLEST:g} to {LARGEST:g} in magnitude")
         if math.isfinite(found) and (found > lowest if above else found >= lowest):
             return found
         if lowest == -math.inf:
