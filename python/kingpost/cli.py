@@ -19,6 +19,7 @@ import shtab
 from . import __version__
 from .commands import (
     check,
+    convert,
     forecast,
     gallery,
     hydro,
@@ -49,6 +50,7 @@ COMMANDS = {
     "forecast": forecast,
     "list": gallery,
     "paper": paper,
+    "convert": convert,
     "hydro": hydro,
     "roll-damping": roll_damping,
     "verify": verify,

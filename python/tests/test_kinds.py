@@ -13,6 +13,8 @@ import kingpost
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGE = Path(kingpost.__file__).parent
 EXCEPTIONS = {
+    # Writes scenarios of the mooring systems of other programs: lines, bodies and the water on them.
+    "convert",
     # Computes what the water does to a hull before there is a scenario: its gravity is that of the water.
     "hydro",
     # The paper's own case, whose scenario it reads and writes about.

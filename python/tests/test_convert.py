@@ -1,0 +1,256 @@
+"""`kingpost convert`: a mooring system of MoorDyn becomes a scenario; all that is left out is listed."""
+
+from __future__ import annotations
+
+import json
+import math
+from functools import partial
+
+import kingpost
+import pytest
+from kingpost.cli import main
+from kingpost.convert import convert
+from mooring_decks import LINES, POINTS, resolved, where, write_deck
+
+
+@pytest.fixture
+def deck(tmp_path):
+    """A function that writes a deck, with replacements, and returns its path."""
+    return partial(write_deck, tmp_path)
+
+
+def test_a_deck_becomes_a_scenario_that_can_run(deck, tmp_path, capsys) -> None:
+    """Source: the numbers of the deck, and MoorDyn's manual on the meaning of its columns."""
+    output = tmp_path / "chain.yaml"
+    assert main(["convert", deck(), "-o", str(output)]) == 0
+    assert f"written  {output}" in capsys.readouterr().out
+    assert main(["check", str(output), "--quiet"]) == 0
+    found = kingpost.load(str(output)).resolved
+    assert found["title"] == "A chain and a wire from an anchor"
+    assert (found["simulation"]["step_s"], found["simulation"]["record_every_s"]) == (0.005, 0.5)
+    assert (found["sea"]["depth_m"], found["sea"]["density_kg_m3"]) == (200, 1020)
+    assert found["forces"]["gravity"]["gravity"]["acceleration_m_s2"] == 9.81
+    line = found["forces"]["line_1_2"]["line"]
+    assert (line["first"]["body"], line["first"]["position_m"]) == ("world", [779.6, 0, -200])
+    assert (line["second"]["body"], line["second"]["position_m"]) == ("vessel", [0, 0, -14])
+    assert line["seabed"]["friction"] == 0.4
+    assert (line["seabed"]["stiffness_N_per_m3"], line["seabed"]["damping_N_s_per_m3"]) == (2e6, 1e5)
+    chain, wire = line["sections"]
+    assert chain["axial_stiffness_N"] == 3.27e9
+    assert [
+        wire[name] for name in ("added_mass_across", "added_mass_along", "drag_across", "drag_along")
+    ] == [0.9, 0.2, 1.1, 0.01]
+    assert [section["elements"] for section in (chain, wire)] == [10, 6], "half the segments, rounded up"
+    joint = found["bodies"]["vessel"]["joint"]["floating"]
+    assert joint["hold_translation"]
+    assert joint["hold_rotation"]
+
+
+def test_damping_as_a_share_of_the_critical_one_is_converted(deck) -> None:
+    """Source: MoorDyn's BA = zeta L/N sqrt(EA m), over EA."""
+    chain, wire = resolved(deck())["forces"]["line_1_2"]["line"]["sections"]
+    assert chain["damping_time_s"] == pytest.approx(65.4e6 / 3.27e9)
+    assert wire["damping_time_s"] == pytest.approx(0.8 * 405 / 11 * math.sqrt(5e8 * 40) / 5e8)
+    assert "0.8 of the critical damping" in where(convert(deck()).notes.converted)[19, "line_2:"]
+
+
+def test_all_that_is_left_out_is_listed_by_line(deck, capsys) -> None:
+    """Source: the lines of the deck."""
+    assert main(["convert", deck(), "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert {(one["line"], one["text"]) for one in found["left_out"]} == {
+        (7, "EI 12"),
+        (8, "spare"),
+        (18, "outputs p"),
+        (23, "1 3 2 0 1e6"),
+        (33, "RK4 tScheme"),
+        (34, "100 TmaxIC"),
+        (37, "FairTen1"),
+        (38, "AnchTen1"),
+    }
+    assert all(one["why"] for one in found["left_out"] + found["converted"])
+    assert {one["line"] for one in found["converted"]} == {13, 19, None}
+    assert (found["lines"], found["bodies"]) == (["line_1_2"], ["vessel"])
+    assert "#   line 7" not in found["scenario"]
+    assert "# - line 7: EI 12: lines have no bending stiffness" in found["scenario"]
+
+
+def test_the_list_is_printed_and_the_title_can_be_given(deck, tmp_path, capsys) -> None:
+    output = str(tmp_path / "moored.yaml")
+    assert main(["convert", deck(), "-o", output, "--name", "Moored"]) == 0
+    shown = capsys.readouterr().out
+    assert shown.startswith("Moored\n")
+    assert "lines 37-38  FairTen1 ..." in shown
+    assert main(["convert", deck(), "-o", output, "--quiet"]) == 0
+    assert capsys.readouterr().out == ""
+    assert main(["convert", deck()]) == 0
+    assert kingpost.scenario.Scenario(capsys.readouterr().out, "printed.yaml").title.startswith("A chain")
+
+
+def test_the_tension_at_rest_is_that_of_the_elastic_catenary(deck) -> None:
+    """Source: the closed form of an elastic line on a rigid seabed without friction."""
+    whole = deck(
+        ("405       20       p", "850       80       -"),
+        ("1        2        850", "1        3        850"),
+        ("2   wire      2        3        405       11       -\n", ""),
+        ("9.81    g\n", ""),
+        ("0.4     Fric", "0       Fric"),
+        ("1020    rho\n", ""),
+        ("2e6     kBot", "3e6     kBot"),
+    )
+    scenario = kingpost.scenario.Scenario(convert(whole).text, whole)
+    scenario["simulation.duration_s"] = 0.5
+    ds = kingpost.run(scenario)
+    tension = ds["line_end_tension"].sel(line="line_1").isel(time=-1)
+    assert float(tension) == pytest.approx(2435.56e3, rel=2e-3)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "bodies"),
+    [
+        (
+            "2   Free        390    0  -107.0  0     0       0    0",
+            "2   Free 390 0 -107 4e3 2.0 1.5 0.6",
+            "submerged",
+        ),
+        (
+            "2   Free        390    0  -107.0  0     0       0    0",
+            "2   Con  390 0 -107 4e3 0 1.5 0",
+            "quadratic_damping",
+        ),
+        ("2   Free        390    0  -107.0  0     0       0    0", "2   free 390 0 -107 4e3 0 0 0", None),
+    ],
+)
+def test_a_free_point_with_mass_is_a_body_that_lines_connect(deck, old, new, bodies) -> None:
+    """Source: the numbers of the deck: buoyancy rho V, drag rho CdA / 2, added mass rho V Ca."""
+    found = resolved(deck((old, new)))
+    body = found["bodies"]["point_2"]
+    assert body["mass_kg"] == 4000
+    assert body["joint"]["floating"]["hold_rotation"]
+    assert body["joint"]["floating"]["initial"]["position_m"] == [390, 0, -107]
+    assert [found["forces"][name]["line"]["second"]["body"] for name in ("line_1", "line_2")] == [
+        "point_2",
+        "vessel",
+    ]
+    kinds = {kind for force in found["forces"].values() for kind in force}
+    assert kinds == {"gravity", "line"} | ({bodies} if bodies else set())
+    if bodies == "submerged":
+        water = found["forces"]["point_2_water"]["submerged"]
+        assert water["shape"]["sphere"]["radius_m"] == pytest.approx((1.5 / math.pi) ** (1 / 3))
+        assert water["added_mass"]["coefficients"] == [0.6] * 3
+        assert water["drag"]["areas_m2"] == [1.5] * 3
+    if bodies == "quadratic_damping":
+        damping = found["forces"]["point_2_drag"]["quadratic_damping"]
+        assert damping["linear_N_s2_m2"] == [1020 * 1.5 / 2] * 3
+
+
+def test_three_lines_that_meet_at_a_bare_point_are_connected_by_a_light_body(deck) -> None:
+    third = "4   Fairlead    0  10 -14  0 0 0 0\n"
+    path = deck((POINTS, POINTS + third), (LINES, LINES + "3 wire 2 4 405 11 -\n"))
+    found = resolved(path)
+    assert set(found["bodies"]) == {"vessel", "point_2"}
+    assert 0 < found["bodies"]["point_2"]["mass_kg"] < 1000
+    assert found["simulation"]["integrator"] == "dormand_prince"
+    assert "a tenth" in where(convert(path).notes.converted)[13, "point_2,"]
+
+
+def test_both_ends_on_one_body_get_a_body_beside_it(deck) -> None:
+    path = deck(("3   Coupled ", "3   Fixed "))
+    line = resolved(path)["forces"]["line_1_2"]["line"]
+    assert (line["first"]["body"], line["second"]["body"]) == ("world", "fixed_points")
+
+
+def test_a_deck_in_the_columns_of_the_first_version_is_read(deck) -> None:
+    """Source: MoorDyn's manual on the input files of its version 1."""
+    path = deck(
+        (
+            "chain     0.333  685.0   3.27e9  65.4e6    0    1.2  1.0  0.05  0.5",
+            "chain 0.333 685 3.27e9 65.4e6 1.0 0.5 1.2 0.05",
+        ),
+        (
+            "wire      0.1    40.0    5.0e8   -0.8      12   1.1  0.9  0.01  0.2",
+            "wire 0.1 40 5.0e8 -0.8 0.9 0.2 1.1 0.01",
+        ),
+        ("spare     0.1    40.0    5.0e8   -0.8      0    1.1  0.9  0.01  0.2\n", ""),
+        ("- POINTS -", "- CONNECTION PROPERTIES -"),
+        ("- LINES -", "- LINE PROPERTIES -"),
+        ("3   Coupled     0      0  -14.0   0     0       0    0", "3 Vessel 0 0 -14 0 0 0 0 5 0 0"),
+        ("1   chain     1        2        405       20 ", "1 chain 405 20 1 2"),
+        ("2   wire      2        3        405       11 ", "2 wire 405 11 2 3"),
+    )
+    assert convert(path).notes.left_out[0].text == "FX, FY, FZ 0 0 5"
+    new, old = (resolved(each)["forces"]["line_1_2"]["line"] for each in (path, deck()))
+    assert new == old
+
+
+def test_stiffness_with_several_values_or_by_a_curve_is_one_number(deck, tmp_path) -> None:
+    """Source: the first value; the slope to the last point of the curve, 2e6 N / 0.1."""
+    path = deck(
+        ("3.27e9  65.4e6", "3.27e9|5e9|0.4  65.4e6|1e6"),
+        ("5.0e8   -0.8      12", "curve.txt  ba.txt  ei.txt"),
+    )
+    (tmp_path / "curve.txt").write_text(
+        "strain tension\n(-) (N)\n---\n0.0 0.0\n0.1 2.0e6\n", encoding="utf-8"
+    )
+    chain, wire = resolved(path)["forces"]["line_1_2"]["line"]["sections"]
+    assert (chain["axial_stiffness_N"], chain["damping_time_s"]) == (3.27e9, 65.4e6 / 3.27e9)
+    assert (wire["axial_stiffness_N"], wire["damping_time_s"]) == (2e7, 0.01)
+    assert {key for key in where(convert(path).notes.left_out) if key[0] in (6, 7)} == {
+        (6, "EA"),
+        (6, "BA"),
+        (7, "EA"),
+        (7, "BA"),
+        (7, "EI"),
+    }
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "field", "value"),
+    [
+        ("200     WtrDpth", "300 depth", "sea.depth_m", 300),
+        ("200     WtrDpth", "bed.dat WtrDpth", "sea.depth_m", 200),
+        ("200     WtrDpth", "150 WtrDpth", "sea.depth_m", 200),
+        ("9.81    g", "9.8 gravity", "forces.gravity.gravity.acceleration_m_s2", 9.8),
+        ("1020    rho", "1000 WtrDnsty", "sea.density_kg_m3", 1000),
+        ("0.005   dtM", "10 dtM", "simulation.step_s", 0.05),
+        ("0.005   dtM", "0.5 cfl", "simulation.step_s", 0.01),
+        ("0.5     dtOut", "1e9 dtOut", "simulation.record_every_s", 0.1),
+        ("0.4     FrictionCoefficient", "0.3 MU_KA", "forces.line_1_2.line.seabed.friction", 0.3),
+        (
+            "1   Fixed       779.6  0  -200.0",
+            "1 Fixed 779.6 0 seabed",
+            "forces.line_1_2.line.first.position_m.2",
+            -200,
+        ),
+    ],
+)
+def test_options_are_read_by_each_of_their_names(deck, old, new, field, value) -> None:
+    found = resolved(deck((old, new)))
+    for name in field.split("."):
+        found = found[int(name)] if isinstance(found, list) else found[name]
+    assert found == value
+
+
+@pytest.mark.parametrize(
+    ("option", "is_listed"),
+    [
+        ("1 Currents", True),
+        ("0 Currents", False),
+        ("1.0 StatDynFricScale", False),
+        ("0.5 MC", True),
+        ("3 anything", True),
+        ("bed.txt SeafloorFile", True),
+        ("7", True),
+    ],
+)
+def test_options_without_a_counterpart_are_listed_unless_they_have_no_effect(deck, option, is_listed) -> None:
+    notes = convert(deck(("100     TmaxIC", option))).notes.left_out
+    assert (option in [note.text for note in notes]) == is_listed
+
+
+def test_a_scenario_that_cannot_start_is_written_and_the_exit_code_is_1(deck, tmp_path, capsys) -> None:
+    output = tmp_path / "taut.yaml"
+    path = deck(("405       20", "100       20"), ("405       11", "100       11"))
+    assert main(["convert", path, "-o", str(output)]) == 1
+    assert "is converted, but cannot run" in capsys.readouterr().err
+    assert output.exists()
