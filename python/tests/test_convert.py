@@ -34,7 +34,7 @@ def test_a_deck_becomes_a_scenario_that_can_run(deck, tmp_path, capsys) -> None:
     assert (line["first"]["body"], line["first"]["position_m"]) == ("world", [779.6, 0, -200])
     assert (line["second"]["body"], line["second"]["position_m"]) == ("vessel", [0, 0, -14])
     assert line["seabed"]["friction"] == 0.4
-    assert (line["seabed"]["stiffness_N_per_m3"], line["seabed"]["damping_N_s_per_m3"]) == (2e6, 1e5)
+    assert (line["seabed"]["stiffness_N_per_m3"], line["seabed"]["damping_time_s"]) == (2e6, 0.05)
     chain, wire = line["sections"]
     assert chain["axial_stiffness_N"] == 3.27e9
     assert [

@@ -41,7 +41,7 @@ def test_each_run_of_a_batch_has_the_bits_of_the_run_alone(scenario):
 @pytest.mark.parametrize("path", [STIFFNESS, LENGTH, DRAG, HEIGHT])
 def test_derivatives_agree_with_central_differences(scenario, path):
     """Source: differences with steps h and 2 h, whose error is a third of their difference."""
-    value = kingpost.load(scenario).model and float(_value(CHAIN, path))
+    value = float(_value(CHAIN, path))
     step = 1e-5 * value
     found = kingpost.gradient(scenario, path)
     runs = kingpost.Batch(scenario, {path: [value + by * step for by in (1, -1, 2, -2)]}).run()
@@ -69,12 +69,10 @@ def test_a_run_goes_on_from_a_snapshot_with_the_same_bits(scenario):
     simulation.step(40)
     snapshot = simulation.snapshot()
     simulation.step(20)
-    there = simulation.state
     again = kingpost.Simulation(scenario)
     again.restore(snapshot)
     again.step(20)
-    for one, other in zip(there, again.state, strict=True):
-        np.testing.assert_array_equal(one, other)
+    assert again.snapshot() == simulation.snapshot()
 
 
 def test_a_line_at_rest_stays_at_rest(tmp_path):
@@ -120,5 +118,5 @@ def test_a_mistake_is_refused_by_field(mistake, tmp_path):
 def test_a_seabed_needs_a_depth(tmp_path):
     given = json.loads(json.dumps(CHAIN))
     given["sea"].pop("depth_m")
-    with pytest.raises(kingpost.KingpostError, match="seabed.depth_m"):
+    with pytest.raises(kingpost.KingpostError, match=r"seabed\.depth_m"):
         kingpost.Simulation(kingpost.load(written(tmp_path, given)))

@@ -191,7 +191,7 @@ class _Builder:
             fields["seabed"] = {
                 "friction": water.friction,
                 "stiffness_N_per_m3": water.stiffness_n_per_m3,
-                "damping_N_s_per_m3": water.damping_n_s_per_m3,
+                "damping_time_s": water.damping_n_s_per_m3 / water.stiffness_n_per_m3,
             }
         return fields
 

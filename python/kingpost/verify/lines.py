@@ -99,7 +99,7 @@ def chain(motion: str, elements: int) -> Scenario:
     ground = {
         "friction": 0.0,
         "stiffness_N_per_m3": sea["ground_stiffness_N_per_m3"],
-        "damping_N_s_per_m3": sea["ground_damping_N_s_per_m3"],
+        "damping_time_s": sea["ground_damping_N_s_per_m3"] / sea["ground_stiffness_N_per_m3"],
     }
     force = {
         "second": {"body": "world", "position_m": line["anchor_m"]},

@@ -5282,9 +5282,9 @@ export interface LineSeabed {
    */
   stiffness_N_per_m3?: number;
   /**
-   * Pressure per speed of penetration, N s/m^3.
+   * Damping over stiffness, s: a line that falls on it at a speed v is braked from a height of this time times v on.
    */
-  damping_N_s_per_m3?: number;
+  damping_time_s?: number;
 }
 /**
  * A point on a rope's path.

@@ -129,8 +129,8 @@ bodies:
     let before = run.state().q.clone();
     run.step(200).expect("it does not diverge");
     let moved = run.state().q.iter().zip(&before).map(|(now, then)| (now - then).abs()).fold(0.0, f64::max);
-    // It stays at rest: positions of 80 m have a rounding of 1e-14 m.
-    assert!(moved < 1e-9, "{moved}");
+    // It stays at rest: Newton's method leaves 1e-9 of 80 m.
+    assert!(moved < 8e-8, "{moved}");
     let [left, right] = [0, 1].map(|line| crate::common::values(&mut run, "line_tension")[line]);
     assert!((left / right - 1.0).abs() < 1e-9, "{left} {right}");
 }
