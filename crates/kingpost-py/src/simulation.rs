@@ -260,10 +260,11 @@ impl Simulation {
         })
     }
 
-    /// Returns A and B by rows, the rates, and, as JSON, the names and units of states and inputs.
-    fn linearize<'py>(&self, py: Python<'py>) -> PyResult<Linear<'py>> {
+    /// Returns A and B by rows, the rates, and, as JSON, the names and units of states and inputs; waves can be left out.
+    fn linearize<'py>(&self, py: Python<'py>, in_waves: bool) -> PyResult<Linear<'py>> {
         self.with(|held| {
-            let linear = Linearizer::of_built(&held.built).map_err(errors::scenario)?.at(&held.inner);
+            let linearizer = Linearizer::of_built(&held.built).map_err(errors::scenario)?;
+            let linear = if in_waves { linearizer } else { linearizer.in_calm_water() }.at(&held.inner);
             let (n, m) = (linear.states.len(), linear.inputs.len());
             let a = matrix(py, linear.a.transpose().as_slice().to_vec(), n, n)?;
             let b = matrix(py, linear.b.transpose().as_slice().to_vec(), n, m)?;

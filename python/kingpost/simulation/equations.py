@@ -142,7 +142,7 @@ class Equations:
         count = len(self._engine.coordinates())
         if count > MOST_DENSE:
             raise KingpostError(f"linearize: found {count} free coordinates, allowed: at most {MOST_DENSE}")
-        return labelled(*self._engine.linearize())
+        return labelled(*self._engine.linearize(in_waves=True))
 
     def settle(self) -> Equilibrium:
         """Move to an equilibrium near the present state, with all rates zero, and restart the ledger there.

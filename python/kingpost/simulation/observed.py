@@ -67,7 +67,8 @@ class Observed:
         return known if too_long is None else [*known, too_long]
 
     def _linear(self) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
-        a, _, _, names = self._engine.linearize()
+        # The water's motion costs much, and no step is too long because of it.
+        a, _, _, names = self._engine.linearize(in_waves=False)
         return a, np.array(json.loads(names)["advanced"], bool)
 
     @property

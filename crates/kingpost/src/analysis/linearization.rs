@@ -153,6 +153,12 @@ impl Linearizer {
         self
     }
 
+    /// Returns the linearizer for the same state in calm water, which costs less.
+    pub fn in_calm_water(mut self) -> Self {
+        self.tangent.calm();
+        self
+    }
+
     /// Returns the indices in v of the free coordinates, in the order of the states.
     pub fn positions(&self) -> impl Iterator<Item = usize> + '_ {
         self.along.iter().filter_map(|along| if let Along::Position(i) = along { Some(*i) } else { None })

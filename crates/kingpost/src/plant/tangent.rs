@@ -67,6 +67,11 @@ impl Tangent {
         self.plant.set_evaluation_mode(evaluation);
     }
 
+    /// Removes the waves.
+    pub fn calm(&mut self) {
+        self.plant.world.waves = None;
+    }
+
     /// Sets the waves like [`Plant::set_waves`].
     pub fn set_waves(&mut self, amplitudes_m: &[f64], phases_rad: &[f64]) {
         self.plant.set_waves(amplitudes_m, phases_rad);

@@ -126,15 +126,18 @@ impl<S: Scalar> LineSection<S> {
     ) -> WetPart<S> {
         let half = S::constant(0.5);
         let density = at.world.water_density;
-        let moving = at.world.waves.as_ref().filter(|_| at.evaluation.has_waves());
-        let waves = moving.map(|field| field.kinematics(point, at.clock.time_s));
-        let (elevation, by_waves, acceleration) = waves.map_or((S::ZERO, Vector3::zero(), Vector3::zero()), |waves| {
-            (waves.elevation_m, waves.velocity_m_s, waves.acceleration_m_s2)
+        let rise = tangent[2].select_below(0.0, || -tangent[2], || tangent[2]);
+        let extent = length * rise + self.diameter;
+        let waves = at.world.waves.as_ref().filter(|field| at.evaluation.has_waves() && !field.is_empty());
+        let (elevation, [by_waves, acceleration]) = waves.map_or((S::ZERO, [Vector3::zero(); 2]), |field| {
+            let is_under = field.is_always_under(middle + extent);
+            let time_s = at.clock.time_s;
+            let elevation = if is_under { S::ZERO } else { field.elevation_m([point[0], point[1]], time_s) };
+            (elevation, field.motion(point, elevation, time_s))
         });
         let depth = point[2].select_below(0.0, || -point[2], || S::ZERO);
         let velocity = by_waves + at.world.current_at(&CurrentAt::Depth(depth));
-        let rise = tangent[2].select_below(0.0, || -tangent[2], || tangent[2]);
-        let share = ((elevation - middle) / (length * rise + self.diameter) + half).clipped(S::ZERO, S::ONE);
+        let share = ((elevation - middle) / extent + half).clipped(S::ZERO, S::ONE);
         let wet = length * share;
         let displaced = density * self.diameter * self.diameter * wet * S::constant(FRAC_PI_4);
         let [across, along] = self.added_mass.map(|coefficient| coefficient * displaced);

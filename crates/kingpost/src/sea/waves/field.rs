@@ -32,6 +32,10 @@ pub struct WaveField<S = f64> {
     stretching: Stretching,
     pub(super) amplitudes_m: Vec<S>,
     pub(super) turns: PhaseTurns<S>,
+    /// k of each wave, 1/m.
+    pub(super) wave_numbers_per_m: Vec<S>,
+    /// Period of each wave, s.
+    pub(super) periods_s: Vec<S>,
     /// 1 / (1 + e^-2kh) of each wave.
     pub(super) bottom_scales: Vec<S>,
     /// Number of times that the waves have been replaced.
@@ -62,7 +66,7 @@ pub struct WaveKinematics<S = f64> {
 }
 
 /// Number of waves whose sines are computed together.
-const BLOCK: usize = 16;
+pub(super) const BLOCK: usize = 16;
 
 impl<S: Scalar> WaveField<S> {
     /// Creates the field of these waves in this water, with amplitudes that grow from 0 over the ramp time;
@@ -79,8 +83,18 @@ impl<S: Scalar> WaveField<S> {
         let double_depth = S::constant(-2.0 * water.depth_m.unwrap_or(0.0));
         let bottom_scales = of_each(&|wave| S::ONE / (S::ONE + (double_depth * wave.wave_number_per_m).exp()));
         let amplitudes_m = of_each(&|wave| wave.amplitude_m);
-        let stretching = Stretching::default();
-        Self { waves: waves.to_vec(), water, ramp_s, stretching, amplitudes_m, turns, bottom_scales, realisation: 0 }
+        Self {
+            waves: waves.to_vec(),
+            water,
+            ramp_s,
+            stretching: Stretching::default(),
+            amplitudes_m,
+            turns,
+            wave_numbers_per_m: of_each(&|wave| wave.wave_number_per_m),
+            periods_s: of_each(&|wave| S::constant(TAU) / wave.angular_frequency_rad_s),
+            bottom_scales,
+            realisation: 0,
+        }
     }
 
     /// Returns the field of the same waves with this stretching.
@@ -203,7 +217,7 @@ impl<S: Scalar> WaveField<S> {
     }
 
     /// Writes e^(i q) of as many waves as the slices are long, from the wave `first` on.
-    fn unit_phasors(&self, first: usize, [x, y]: [S; 2], time_s: f64, real: &mut [S], imaginary: &mut [S]) {
+    pub(super) fn unit_phasors(&self, first: usize, [x, y]: [S; 2], time_s: f64, real: &mut [S], imaginary: &mut [S]) {
         let (time, count) = (S::constant(time_s), real.len());
         let range = first..first + count;
         let (kx, ky) = (&self.turns.x_per_m[range.clone()], &self.turns.y_per_m[range.clone()]);

@@ -12,6 +12,7 @@ mod components;
 mod dispersion;
 mod error;
 mod field;
+mod motion;
 mod noise;
 mod ramp;
 mod realization;
