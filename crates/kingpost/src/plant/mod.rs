@@ -216,16 +216,6 @@ impl<S: Scalar> Plant<S> {
         self.totals_here(at)
     }
 
-    /// Appends the points of the elements' lines at a stage, x, y and z (m, world) of each.
-    pub fn draw(&mut self, at: Stage<'_, S>, points: &mut Vec<S>) {
-        self.links.update(&self.model, at.q, at.v);
-        let Self { model, world, links, elements, layout, evaluation, .. } = self;
-        let mut contexts = ElementContexts::new(layout, world, model, links, *evaluation, at);
-        for (i, element) in elements.iter_mut().enumerate() {
-            element.draw(contexts.of(i), points);
-        }
-    }
-
     /// Returns frames and twists of the bodies at a state.
     pub fn body_kinematics(&mut self, q: &[S], v: &[S]) -> &Kinematics<S> {
         self.bodies.update(&self.model.tree, q, v);

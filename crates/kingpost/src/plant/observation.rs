@@ -1,9 +1,13 @@
 //! Observation of a plant at a state.
 
+use super::Plant;
+use super::element_contexts::ElementContexts;
 use crate::dynamics::Kinematics;
 use crate::dynamics::inverse::InverseDynamics;
 use crate::dynamics::loops::LoopSolver;
+use crate::integrate::Stage;
 use crate::model::Model;
+use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
 /// The part of a plant that is observed.
@@ -44,4 +48,16 @@ pub struct Totals<S = f64> {
     pub linear_momentum: Vector3<S>,
     /// Angular momentum, N m s, about [`ledger::reference_point`](crate::ledger::reference_point), world.
     pub angular_momentum: Vector3<S>,
+}
+
+impl<S: Scalar> Plant<S> {
+    /// Appends the points of the elements' lines at a stage, x, y and z (m, world) of each.
+    pub fn draw(&mut self, at: Stage<'_, S>, points: &mut Vec<S>) {
+        self.links.update(&self.model, at.q, at.v);
+        let Self { model, world, links, elements, layout, evaluation, .. } = self;
+        let mut contexts = ElementContexts::new(layout, world, model, links, *evaluation, at);
+        for (i, element) in elements.iter_mut().enumerate() {
+            element.draw(contexts.of(i), points);
+        }
+    }
 }

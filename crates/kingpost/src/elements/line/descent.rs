@@ -55,7 +55,7 @@ impl<S: Scalar> Descent<S> {
         let squares = self.newton.iter().map(|way| way.norm_squared());
         let [most, sum] = squares.fold([S::ZERO; 2], |[most, sum], square| [larger(most, square), sum + square]);
         // NaN and infinity stay.
-        self.size = (most + (sum - sum)).sqrt();
+        self.size = (most + sum * S::ZERO).sqrt();
         let share = self.size.select_less(longest, || S::ONE, || longest / self.size);
         let of_newton = work(&self.forces, &self.newton) * share;
         self.gain = back.select_below(0.5, || of_newton, || self.gain * half);

@@ -63,7 +63,7 @@ pub struct WetPart<S> {
 
 /// The drag on a part of a line.
 #[derive(Clone, Copy, Debug)]
-pub struct Drag<S> {
+pub struct LineDrag<S> {
     /// Force, N.
     pub force: Vector3<S>,
     /// Velocity of the water relative to the part, m/s.
@@ -86,7 +86,7 @@ impl<S: Scalar> WetPart<S> {
     }
 
     /// Returns the drag on the part at its velocity, this time (s) after that of the water's velocity.
-    pub fn drag(&self, velocity: Vector3<S>, later_s: S) -> Drag<S> {
+    pub fn drag(&self, velocity: Vector3<S>, later_s: S) -> LineDrag<S> {
         let relative = self.velocity + self.acceleration * later_s - velocity;
         let along = self.tangent.dot(relative);
         let normal = relative - self.tangent * along;
@@ -95,7 +95,7 @@ impl<S: Scalar> WetPart<S> {
         let along_speed = along.select_below(0.0, || -along, || along);
         let tangents = Matrix3::outer(self.tangent, self.tangent);
         let normals = Matrix3::identity() - tangents + Matrix3::outer(direction, direction);
-        Drag {
+        LineDrag {
             force: normal * (across * speed) + self.tangent * (tangential * along_speed * along),
             relative,
             slope: normals.scaled(across * speed) + tangents.scaled(tangential * along_speed * S::constant(2.0)),

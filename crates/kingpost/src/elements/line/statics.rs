@@ -6,7 +6,7 @@ use super::ground::LineGround;
 use super::mesh::{Mesh, MeshElement};
 use super::nodes::tangents;
 
-use super::strain::{GAUSS, slopes, strained};
+use super::strain::{gauss, slopes, strained};
 use crate::elements::Context;
 use crate::elements::lines::{Catenary, Span};
 use crate::scalar::Scalar;
@@ -92,7 +92,7 @@ impl<S: Scalar> LineStatics<S> {
         for k in 0..self.positions.len() - 1 {
             let MeshElement { length, section } = &mesh.elements[k / 2];
             let half = *length * S::constant(0.5);
-            let slopes = slopes(if k % 2 == 0 { -GAUSS } else { GAUSS }, *length);
+            let slopes = slopes(gauss(k), *length);
             let places = [0, 1, 2].map(|i| self.positions[k / 2 * 2 + i]);
             let found = strained(section, &slopes, &places, &still);
             let ([tension, _], [ratio, _], tangent) = (found.tension, found.ratio, found.tangent);

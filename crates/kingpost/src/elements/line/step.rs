@@ -18,7 +18,7 @@ use super::ground::LineGround;
 use super::mesh::Mesh;
 use super::nodes::{Nodes, tangents};
 use super::section::WetPart;
-use super::strain::{GAUSS, slopes, sum};
+use super::strain::{gauss, slopes, sum};
 use crate::dynamics::Clock;
 use crate::elements::Context;
 use crate::elements::lines::length_and_direction;
@@ -134,7 +134,7 @@ impl<S: Scalar> LineStep<S> {
         }
         for (k, stretched) in self.stretched.iter_mut().enumerate() {
             let positions = [0, 1, 2].map(|i| self.base[k / 2 * 2 + i].position);
-            let way = sum(&slopes(point(k), mesh.elements[k / 2].length), &positions);
+            let way = sum(&slopes(gauss(k), mesh.elements[k / 2].length), &positions);
             *stretched = (way, way.norm());
         }
     }
@@ -205,7 +205,7 @@ impl<S: Scalar> LineStep<S> {
 
     /// Returns the slopes of the shape functions at a point of Gauss's rule, and the derivative of the position there.
     fn stretched_to(&self, k: usize, mesh: &Mesh<S>) -> ([S; 3], Vector3<S>) {
-        let slopes = slopes(point(k), mesh.elements[k / 2].length);
+        let slopes = slopes(gauss(k), mesh.elements[k / 2].length);
         (slopes, sum(&slopes, &[0, 1, 2].map(|i| self.next[k / 2 * 2 + i])))
     }
 
@@ -286,9 +286,4 @@ impl<S: Scalar> LineStep<S> {
     pub fn velocity(&self, node: usize) -> Vector3<S> {
         self.way(node) * S::constant(2.0 / self.clock[2]) - self.base[node].velocity
     }
-}
-
-/// Returns the coordinate of the k-th point of Gauss's rule in its element.
-fn point(k: usize) -> f64 {
-    if k % 2 == 0 { -GAUSS } else { GAUSS }
 }
