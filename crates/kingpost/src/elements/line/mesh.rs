@@ -18,7 +18,7 @@ pub struct LinePart<S = f64> {
 
 /// Properties of an element.
 #[derive(Clone, Copy, Debug)]
-pub struct MeshElement<S> {
+pub struct LineMeshElement<S> {
     /// Unstretched length, m.
     pub length: S,
     /// Its properties.
@@ -27,7 +27,7 @@ pub struct MeshElement<S> {
 
 /// Properties of a node, by Simpson's rule.
 #[derive(Clone, Copy, Debug)]
-pub struct MeshNode<S> {
+pub struct LineMeshNode<S> {
     /// Unstretched length, m.
     pub length: S,
     /// Mean properties of this length.
@@ -36,7 +36,7 @@ pub struct MeshNode<S> {
     pub middle: f64,
 }
 
-impl<S: Scalar> MeshNode<S> {
+impl<S: Scalar> LineMeshNode<S> {
     /// Returns its length in the water, with the node at a point and with this unit tangent.
     pub fn in_water(&self, at: &Context<'_, S>, point: Vector3<S>, tangent: Vector3<S>) -> WetPart<S> {
         let middle = point[2] + tangent[2] * self.length * S::constant(self.middle);
@@ -51,25 +51,25 @@ impl<S: Scalar> MeshNode<S> {
 
 /// The elements and nodes of a line, from its first end.
 #[derive(Clone, Debug)]
-pub struct Mesh<S> {
+pub struct LineMesh<S> {
     /// Elements.
-    pub elements: Vec<MeshElement<S>>,
+    pub elements: Vec<LineMeshElement<S>>,
     /// Nodes: each second one is in the middle of an element.
-    pub nodes: Vec<MeshNode<S>>,
+    pub nodes: Vec<LineMeshNode<S>>,
     /// Length of the line, m.
     pub length: S,
 }
 
-impl<S: Scalar> Mesh<S> {
+impl<S: Scalar> LineMesh<S> {
     /// Divides the parts of a line into elements of equal length in each.
     pub fn new(parts: &[LinePart<S>]) -> Self {
         let divided = parts.iter().flat_map(|part| {
             let length = part.unstretched_length / S::constant(part.elements as f64);
-            core::iter::repeat_n(MeshElement { length, section: part.section }, part.elements)
+            core::iter::repeat_n(LineMeshElement { length, section: part.section }, part.elements)
         });
-        let elements: Vec<MeshElement<S>> = divided.collect();
-        let share = |element: &MeshElement<S>, sixths: f64| element.length * S::constant(sixths / 6.0);
-        let whole = |element: &MeshElement<S>, sixths, middle| MeshNode {
+        let elements: Vec<LineMeshElement<S>> = divided.collect();
+        let share = |element: &LineMeshElement<S>, sixths: f64| element.length * S::constant(sixths / 6.0);
+        let whole = |element: &LineMeshElement<S>, sixths, middle| LineMeshNode {
             length: share(element, sixths),
             section: element.section,
             middle,
@@ -90,7 +90,7 @@ impl<S: Scalar> Mesh<S> {
     }
 }
 
-impl<S: Scalar> MeshNode<S> {
+impl<S: Scalar> LineMeshNode<S> {
     /// Returns a node with the lengths of two, and the means of their masses, displaced volumes and drag areas.
     fn with(&self, other: &Self) -> Self {
         let length = self.length + other.length;

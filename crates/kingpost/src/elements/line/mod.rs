@@ -33,7 +33,7 @@ use crate::model::{Attachment, Model};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Matrix3, SpatialInertia, Symmetric3, Vector3};
 use crate::world::World;
-use mesh::Mesh;
+use mesh::LineMesh;
 use nodes::{LineNode, Nodes};
 use statics::LineStatics;
 use step::LineStep;
@@ -57,7 +57,7 @@ pub struct DynamicLine<S = f64> {
     /// Positions of the nodes between the ends at the start, world, m, if it does not begin at rest.
     pub start: Option<Vec<Vector3<S>>>,
     /// Its elements and nodes.
-    mesh: Mesh<S>,
+    mesh: LineMesh<S>,
     /// Working memory.
     nodes: Nodes<S>,
     /// Its shape at rest.
@@ -82,7 +82,7 @@ pub struct RestingLine<S> {
 impl<S: Scalar> DynamicLine<S> {
     /// Creates a line of these parts, from its first end, which begins at rest.
     pub fn new(name: &str, ends: [Attachment<S>; 2], parts: &[LinePart<S>]) -> Self {
-        let mesh = Mesh::new(parts);
+        let mesh = LineMesh::new(parts);
         let count = mesh.nodes.len();
         Self {
             name: name.to_owned(),

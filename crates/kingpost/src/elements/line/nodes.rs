@@ -1,7 +1,7 @@
 //! The nodes of a line: their motion, the forces on them, and their energy.
 
 use super::ground::LineGround;
-use super::mesh::{Mesh, MeshElement};
+use super::mesh::{LineMesh, LineMeshElement};
 use super::section::{PartMass, WetPart};
 use super::strain::{GAUSS, shapes, slopes, strained, sum};
 use crate::elements::Context;
@@ -79,7 +79,7 @@ impl<S: Scalar> Nodes<S> {
     }
 
     /// Adds the forces of the tension, `-T t N_i' h / 2` at each point of Gauss's rule.
-    pub fn stretch(&mut self, mesh: &Mesh<S>) {
+    pub fn stretch(&mut self, mesh: &LineMesh<S>) {
         self.tensions.clear();
         (self.dissipated, self.strain) = (S::ZERO, S::ZERO);
         for element in 0..self.nodes.len() / 2 {
@@ -93,8 +93,8 @@ impl<S: Scalar> Nodes<S> {
     }
 
     /// Adds the forces of the tension in an element.
-    fn stretch_element(&mut self, element: usize, mesh: &Mesh<S>) {
-        let MeshElement { length, section } = &mesh.elements[element];
+    fn stretch_element(&mut self, element: usize, mesh: &LineMesh<S>) {
+        let LineMeshElement { length, section } = &mesh.elements[element];
         let half = *length * S::constant(0.5);
         let positions = self.of_element(element, |node| node.position);
         let velocities = self.of_element(element, |node| node.velocity);
@@ -113,7 +113,7 @@ impl<S: Scalar> Nodes<S> {
 
     /// Adds the forces of the tension at the ends alone, in the first and the last element. The rate of strain is that of these
     /// velocities of the ends, if they are given.
-    pub fn stretch_ends(&mut self, mesh: &Mesh<S>, by_rule: [Option<Vector3<S>>; 2]) {
+    pub fn stretch_ends(&mut self, mesh: &LineMesh<S>, by_rule: [Option<Vector3<S>>; 2]) {
         self.tensions.clear();
         let last = self.nodes.len() - 1;
         let velocities = [0, last].map(|end| self.nodes[end].velocity);
@@ -140,7 +140,7 @@ impl<S: Scalar> Nodes<S> {
     pub fn load_end(
         &mut self,
         end: usize,
-        mesh: &Mesh<S>,
+        mesh: &LineMesh<S>,
         ground: Option<&LineGround<S>>,
         (wet, later_s): (&WetPart<S>, f64),
         at: &Context<'_, S>,
@@ -171,7 +171,7 @@ impl<S: Scalar> Nodes<S> {
     }
 
     /// Adds weight, and the forces of water and ground; computes the accelerations between the ends.
-    pub fn load(&mut self, mesh: &Mesh<S>, ground: Option<&LineGround<S>>, at: &Context<'_, S>) {
+    pub fn load(&mut self, mesh: &LineMesh<S>, ground: Option<&LineGround<S>>, at: &Context<'_, S>) {
         self.outside = S::ZERO;
         let last = self.nodes.len() - 1;
         for i in 0..=last {
@@ -194,14 +194,14 @@ impl<S: Scalar> Nodes<S> {
     }
 
     /// Returns force, heat and energy of the ground at a node.
-    fn on_ground(&self, node: usize, mesh: &Mesh<S>, ground: Option<&LineGround<S>>) -> (Vector3<S>, S, S) {
+    fn on_ground(&self, node: usize, mesh: &LineMesh<S>, ground: Option<&LineGround<S>>) -> (Vector3<S>, S, S) {
         let Some(ground) = ground else { return (Vector3::zero(), S::ZERO, S::ZERO) };
         let LineNode { position, velocity, .. } = self.nodes[node];
         ground.support(mesh.nodes[node].length, -ground.depth - position[2], velocity)
     }
 
     /// Returns the energy of strain, weight and ground, and the kinetic energy between the ends, J.
-    pub fn energy(&self, mesh: &Mesh<S>, ground: Option<&LineGround<S>>, at: &Context<'_, S>) -> S {
+    pub fn energy(&self, mesh: &LineMesh<S>, ground: Option<&LineGround<S>>, at: &Context<'_, S>) -> S {
         let last = self.nodes.len() - 1;
         (0..=last).fold(self.strain, |sum, i| {
             let (node, mass) = (&self.nodes[i], mesh.nodes[i].dry_mass());
@@ -226,7 +226,7 @@ impl<S: Scalar> Nodes<S> {
     }
 
     /// Returns the largest strain by the elastic tension; NaN if a tension is NaN.
-    pub fn largest_strain(&self, mesh: &Mesh<S>) -> S {
+    pub fn largest_strain(&self, mesh: &LineMesh<S>) -> S {
         let strains = self
             .tensions
             .iter()
@@ -236,7 +236,7 @@ impl<S: Scalar> Nodes<S> {
     }
 
     /// Returns the unstretched length of the line that lies on the ground, m.
-    pub fn grounded_length(&self, mesh: &Mesh<S>, ground: Option<&LineGround<S>>) -> S {
+    pub fn grounded_length(&self, mesh: &LineMesh<S>, ground: Option<&LineGround<S>>) -> S {
         let Some(depth) = ground.map(|ground| ground.depth) else { return S::ZERO };
         (0..self.nodes.len()).fold(S::ZERO, |sum, i| {
             let above = self.nodes[i].position[2] + depth;
@@ -245,7 +245,7 @@ impl<S: Scalar> Nodes<S> {
     }
 
     /// Returns the position at this share of the length, world, m.
-    pub fn at(&self, share: f64, mesh: &Mesh<S>) -> Vector3<S> {
+    pub fn at(&self, share: f64, mesh: &LineMesh<S>) -> Vector3<S> {
         let (mut from, mut element) = (0.0, 0);
         let place = share * mesh.length.value();
         while element + 1 < mesh.elements.len() && from + mesh.elements[element].length.value() < place {

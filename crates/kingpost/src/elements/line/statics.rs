@@ -3,7 +3,7 @@
 use super::blocks::Blocks;
 use super::descent::Descent;
 use super::ground::LineGround;
-use super::mesh::{Mesh, MeshElement};
+use super::mesh::{LineMesh, LineMeshElement};
 use super::nodes::tangents;
 
 use super::strain::{gauss, slopes, strained};
@@ -53,7 +53,7 @@ impl<S: Scalar> LineStatics<S> {
     /// last solution, or from the catenary.
     pub fn solve(
         &mut self,
-        mesh: &Mesh<S>,
+        mesh: &LineMesh<S>,
         ground: Option<&LineGround<S>>,
         ends: [Vector3<S>; 2],
         at: &Context<'_, S>,
@@ -85,12 +85,12 @@ impl<S: Scalar> LineStatics<S> {
     }
 
     /// Writes the equations of Newton's method.
-    fn assemble(&mut self, mesh: &Mesh<S>, ground: Option<&LineGround<S>>, at: &Context<'_, S>) {
+    fn assemble(&mut self, mesh: &LineMesh<S>, ground: Option<&LineGround<S>>, at: &Context<'_, S>) {
         self.blocks.clear();
         tangents(&self.positions, &mut self.tangents);
         let still = [Vector3::zero(); 3];
         for k in 0..self.positions.len() - 1 {
-            let MeshElement { length, section } = &mesh.elements[k / 2];
+            let LineMeshElement { length, section } = &mesh.elements[k / 2];
             let half = *length * S::constant(0.5);
             let slopes = slopes(gauss(k), *length);
             let places = [0, 1, 2].map(|i| self.positions[k / 2 * 2 + i]);
@@ -124,7 +124,7 @@ impl<S: Scalar> LineStatics<S> {
 /// Writes nodes of the elastic catenary with the mean properties of the line, between two ends; those of a straight line if
 /// the line floats.
 fn hang<S: Scalar>(
-    mesh: &Mesh<S>,
+    mesh: &LineMesh<S>,
     ground: Option<&LineGround<S>>,
     [first, last]: [Vector3<S>; 2],
     at: &Context<'_, S>,
@@ -160,9 +160,9 @@ fn hang<S: Scalar>(
 }
 
 /// Returns the catenary with the mean weight in water and the stiffness of the line.
-fn mean_catenary<S: Scalar>(mesh: &Mesh<S>, on_seabed: bool, at: &Context<'_, S>) -> Catenary<S> {
+fn mean_catenary<S: Scalar>(mesh: &LineMesh<S>, on_seabed: bool, at: &Context<'_, S>) -> Catenary<S> {
     let (mut weight, mut compliance) = (S::ZERO, S::ZERO);
-    for MeshElement { length, section } in &mesh.elements {
+    for LineMeshElement { length, section } in &mesh.elements {
         let displaced = at.world.water_density * section.diameter * section.diameter * S::constant(FRAC_PI_4);
         weight += (section.mass_per_length - displaced) * at.world.gravity * *length;
         compliance += *length / section.axial_stiffness;

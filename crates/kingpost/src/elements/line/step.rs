@@ -15,7 +15,7 @@
 use super::blocks::Blocks;
 use super::descent::Descent;
 use super::ground::LineGround;
-use super::mesh::Mesh;
+use super::mesh::LineMesh;
 use super::nodes::{Nodes, tangents};
 use super::section::WetPart;
 use super::strain::{gauss, slopes, sum};
@@ -113,7 +113,7 @@ impl<S: Scalar> LineStep<S> {
     }
 
     /// Begins a step at the motion of these nodes; the context is that of its start.
-    pub fn begin(&mut self, nodes: &Nodes<S>, mesh: &Mesh<S>, at: &Context<'_, S>) {
+    pub fn begin(&mut self, nodes: &Nodes<S>, mesh: &LineMesh<S>, at: &Context<'_, S>) {
         let Clock { time_s, middle_s } = at.clock;
         let half = S::constant(middle_s - time_s);
         self.clock = [time_s, middle_s, 0.0];
@@ -150,7 +150,7 @@ impl<S: Scalar> LineStep<S> {
     /// The last move of the iteration, m, if it does not converge.
     pub fn advance(
         &mut self,
-        mesh: &Mesh<S>,
+        mesh: &LineMesh<S>,
         ground: Option<&LineGround<S>>,
         ends: [Vector3<S>; 2],
         time_s: f64,
@@ -182,7 +182,7 @@ impl<S: Scalar> LineStep<S> {
     }
 
     /// Writes the equations of Newton's method.
-    fn assemble(&mut self, mesh: &Mesh<S>, ground: Option<&LineGround<S>>, interval: S) {
+    fn assemble(&mut self, mesh: &LineMesh<S>, ground: Option<&LineGround<S>>, interval: S) {
         self.blocks.clear();
         for k in 0..self.stretched.len() {
             let half = mesh.elements[k / 2].length * S::constant(0.5);
@@ -204,14 +204,14 @@ impl<S: Scalar> LineStep<S> {
     }
 
     /// Returns the slopes of the shape functions at a point of Gauss's rule, and the derivative of the position there.
-    fn stretched_to(&self, k: usize, mesh: &Mesh<S>) -> ([S; 3], Vector3<S>) {
+    fn stretched_to(&self, k: usize, mesh: &LineMesh<S>) -> ([S; 3], Vector3<S>) {
         let slopes = slopes(gauss(k), mesh.elements[k / 2].length);
         (slopes, sum(&slopes, &[0, 1, 2].map(|i| self.next[k / 2 * 2 + i])))
     }
 
     /// Returns the direction of the mean tension at a point of Gauss's rule, its elastic and its whole value (N), and the
     /// derivative of the force along the derivative of the position.
-    fn pull(&self, k: usize, mesh: &Mesh<S>, interval: S) -> (Vector3<S>, [S; 2], Matrix3<S>) {
+    fn pull(&self, k: usize, mesh: &LineMesh<S>, interval: S) -> (Vector3<S>, [S; 2], Matrix3<S>) {
         let (before, ratio_before) = self.stretched[k];
         let (_, after) = self.stretched_to(k, mesh);
         let (ratio, tangent) = length_and_direction(after);
@@ -248,7 +248,7 @@ impl<S: Scalar> LineStep<S> {
     }
 
     /// Returns the energy of the line over the interval to the last point.
-    pub fn booked(&self, mesh: &Mesh<S>, ground: Option<&LineGround<S>>) -> Booked<S> {
+    pub fn booked(&self, mesh: &LineMesh<S>, ground: Option<&LineGround<S>>) -> Booked<S> {
         let interval = S::constant(self.clock[2]);
         let mut booked = Booked { dissipated: S::ZERO, outside: S::ZERO, on_ends: S::ZERO };
         let end = self.base.len() - 1;
