@@ -91,6 +91,26 @@ def test_the_step_of_a_ship_is_not_too_long(scenario):
     assert kingpost.Simulation(scenario).model_warnings == []
 
 
+def test_a_light_body_on_a_wire_needs_shorter_steps(tmp_path):
+    """Source: runs. A body of 5 kg on a chain diverges at 50 ms, and rests at half the estimated limit."""
+    light = json.loads(json.dumps(CHAIN))
+    light["sea"].pop("waves")
+    light["bodies"]["fairlead"]["mass_t"] = 0.005
+    joint = {"floating": {"hold_rotation": True, "initial": {"position_m": [0, 0, -150]}}}
+    light["bodies"]["fairlead"]["joint"] = joint
+    light["forces"]["above"] = json.loads(json.dumps(light["forces"]["chain"]))
+    light["forces"]["above"]["line"]["second"] = {"body": "world", "position_m": [-700, 0, -14]}
+    path = written(tmp_path, light)
+    limit_s = kingpost.stable_step(path)
+    assert limit_s is not None
+    assert limit_s < 0.05
+    assert any("too long" in text for text in kingpost.Simulation(path).model_warnings)
+    short = kingpost.Simulation(kingpost.load(path, {"simulation.step_s": limit_s / 2}))
+    short.settle()
+    short.step(200)
+    assert np.abs(short.state.v).max() < 1e-3
+
+
 MISTAKES = {
     "no stiffness": (with_section(axial_stiffness_N=0), "sections.0.axial_stiffness_N"),
     "no mass": (with_section(mass_kg_per_m=0), "sections.0.mass_kg_per_m"),

@@ -41,6 +41,6 @@ def stable_step(scenario_or_simulation: Scenario | Simulation | str | Path) -> f
     """
     given = scenario_or_simulation
     simulation = given if isinstance(given, Simulation) else Simulation(given)
-    integrator = simulation.scenario.resolved["simulation"]["integrator"]
+    settings = simulation.scenario.resolved["simulation"]
     linear = simulation.linearize()
-    return longest_step_s(integrator, linear.A.to_numpy(), linear.advanced)
+    return longest_step_s(settings["integrator"], linear.A.to_numpy(), linear.advanced, settings["step_s"])

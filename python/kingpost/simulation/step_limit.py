@@ -19,23 +19,26 @@ GROWTH: dict[str, Callable[[NDArray[np.complex128]], NDArray[np.complex128]]] = 
 Ordinary Differential Equations II*, 1996, sec. IV.2)."""
 ADVANCING = ("forward_euler", "rk4")
 """Schemes that leave the nodes of lines to an implicit rule, whose own motions set no limit."""
-AT_ONCE_S = 1e6
-"""Time in which lines are taken to follow their ends, s: finite, because a slack line on the seabed has no
-stiffness."""
 DAMPED = 0.02
 """Smallest damping ratio of the judged motions: with less damping, Euler's method is unstable at any step."""
 LONGEST_S, HALVINGS = 1e3, 60
+MOST_LIMITS, SAME_LIMIT = 30, 0.98
+"""Number of limits for lines, each with the step of the last, and the share of it that ends the search."""
 MOST_STATES = 1000
 """Largest number of states for which eigenvalues are computed before each run, which takes a second or
 two."""
 
 
 def longest_step_s(
-    integrator: str, matrix: NDArray[np.float64], advanced: NDArray[np.bool_] | None = None
+    integrator: str,
+    matrix: NDArray[np.float64],
+    advanced: NDArray[np.bool_] | None = None,
+    step_s: float = LONGEST_S,
 ) -> float | None:
     """The longest stable step, s, of a scheme on x' = A x; None if there is no such limit.
 
-    Lines, whose states are marked as `advanced`, follow their ends from one shape at rest to the next.
+    The states of lines are marked as `advanced`: they follow their ends by the implicit midpoint rule over a
+    step `step_s`.
 
     >>> print(f"{longest_step_s('rk4', np.diag([-1.0])):.5f}")
     2.78529
@@ -44,15 +47,30 @@ def longest_step_s(
     # If the rates overflow, the run itself reports it.
     if growth is None or not np.isfinite(matrix).all():
         return None
-    if advanced is not None and integrator in ADVANCING:
-        matrix = _quasi_static(matrix, advanced)
-    values = np.linalg.eigvals(matrix)
-    values = values[-values.real > DAMPED * np.abs(values)]
+    if advanced is None or not advanced.any() or integrator not in ADVANCING:
+        values = np.linalg.eigvals(matrix).astype(complex)
+        return _longest_s(growth, values[-values.real > DAMPED * np.abs(values)])
+    # Lines are stiffer over a shorter step: that of a limit has a lower limit.
+    for _ in range(MOST_LIMITS):
+        values = np.linalg.eigvals(_with_lines_at_ends(matrix, advanced, 2 / step_s)).astype(complex)
+        # A light body on a line is damped by its waves, which the matrix does not show.
+        judged = values if integrator == "rk4" else values[-values.real > DAMPED * np.abs(values)]
+        limit_s = _longest_s(growth, judged)
+        if limit_s is None or limit_s >= SAME_LIMIT * step_s:
+            break
+        step_s = limit_s
+    return limit_s
+
+
+def _longest_s(
+    growth: Callable[[NDArray[np.complex128]], NDArray[np.complex128]], values: NDArray[np.complex128]
+) -> float | None:
+    """The longest step, s, at which none of these motions grows; None if there is no limit."""
     # Leave out motions slower than an hour: they set no limit, and zero eigenvalues are rounded to such
     # values.
     values = values[np.abs(values) > 1 / LONGEST_S]
     # Keep one eigenvalue of each conjugate pair.
-    values = values[values.imag >= 0].astype(complex)
+    values = values[values.imag >= 0]
     return float(_limits(growth, values).min()) if values.size else None
 
 
@@ -77,7 +95,7 @@ def warning(
     """
     if settings["integrator"] not in GROWTH:
         return None
-    limit = longest_step_s(settings["integrator"], *linear())
+    limit = longest_step_s(settings["integrator"], *linear(), step_s=settings["step_s"])
     if limit is None or settings["step_s"] <= limit:
         return None
     return (
@@ -87,14 +105,15 @@ def warning(
     )
 
 
-def _quasi_static(matrix: NDArray[np.float64], advanced: NDArray[np.bool_]) -> NDArray[np.float64]:
-    """A of the other states, with the advanced ones at rest between them."""
-    if not advanced.any():
-        return matrix
+def _with_lines_at_ends(
+    matrix: NDArray[np.float64], advanced: NDArray[np.bool_], sigma: float
+) -> NDArray[np.float64]:
+    """A of the other states: the advanced ones follow them as they do on average over a step h, with sigma =
+    2 / h, A + A_oa (sigma - A_aa)^-1 A_ao."""
     own, others = np.flatnonzero(advanced), np.flatnonzero(~advanced)
-    alone = matrix[np.ix_(own, own)] - np.eye(own.size) / AT_ONCE_S
-    at_rest = np.linalg.solve(alone, matrix[np.ix_(own, others)])
-    return matrix[np.ix_(others, others)] - matrix[np.ix_(others, own)] @ at_rest
+    alone = sigma * np.eye(own.size) - matrix[np.ix_(own, own)]
+    followed = np.linalg.solve(alone, matrix[np.ix_(own, others)])
+    return matrix[np.ix_(others, others)] + matrix[np.ix_(others, own)] @ followed
 
 
 def _limits(
