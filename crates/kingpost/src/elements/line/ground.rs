@@ -1,6 +1,6 @@
 //! The ground on which a line can lie.
 
-use super::one_sided::{OneSided, mean_one_sided, one_sided};
+use super::one_sided::{OneSided, mean_one_sided, one_sided, share_at_end};
 use crate::scalar::Scalar;
 use crate::spatial::{Matrix3, Vector3};
 
@@ -35,17 +35,22 @@ impl<S: Scalar> LineGround<S> {
     }
 
     /// Returns the mean force (N) over an interval on a part of this length that moves by `way` (m) between two depths under
-    /// the ground, its heat (J), and the derivative of the force along the way, with the sign changed, N/m.
+    /// the ground and sinks with `sinking` (m/s) at first, its heat (J), and the derivative of the force along the way, with the
+    /// sign changed, N/m.
     pub fn mean_support(
         &self,
         length: S,
-        depths: [S; 2],
+        (depths, sinking): ([S; 2], S),
         way: Vector3<S>,
         interval_s: S,
     ) -> (Vector3<S>, S, Matrix3<S>) {
         let per_s = S::ONE / interval_s;
         let stiffness = self.stiffness_per_length * length;
-        let OneSided { elastic, whole, slope } = mean_one_sided(depths, interval_s, self.damping_time);
+        let (share, mean) = (share_at_end(interval_s, self.damping_time), (depths[1] - depths[0]) * per_s);
+        // The rate at the end is twice the mean rate less that at the start.
+        let rate = mean + share * (mean - sinking);
+        let OneSided { elastic, whole, slopes: [along, per_rate] } = mean_one_sided(depths, rate, self.damping_time);
+        let slope = along + per_rate * (S::ONE + share) * per_s;
         let (normal, rise) = (stiffness * whole, stiffness * slope);
         let [vx, vy] = [way[0] * per_s, way[1] * per_s];
         let per_speed = S::ONE / (vx * vx + vy * vy + self.sliding_speed * self.sliding_speed).sqrt();

@@ -110,11 +110,12 @@ impl<S: Scalar> LineSection<S> {
         [self.axial_stiffness * elastic, self.axial_stiffness * whole]
     }
 
-    /// Returns the mean tension of an interval between two stretch ratios, N, as [`tension`](Self::tension), and its derivative
-    /// along the ratio at the end.
-    pub fn mean_tension(&self, ratios: [S; 2], interval_s: S) -> ([S; 2], S) {
-        let mean = mean_one_sided(ratios.map(|ratio| ratio - S::ONE), interval_s, self.damping_time);
-        ([mean.elastic, mean.whole].map(|part| self.axial_stiffness * part), self.axial_stiffness * mean.slope)
+    /// Returns the mean tension of an interval between two stretch ratios with this rate, N, as [`tension`](Self::tension), and
+    /// its derivatives along the ratio at the end and along the rate.
+    pub fn mean_tension(&self, ratios: [S; 2], rate: S) -> ([S; 2], [S; 2]) {
+        let mean = mean_one_sided(ratios.map(|ratio| ratio - S::ONE), rate, self.damping_time);
+        let stiff = |part: S| self.axial_stiffness * part;
+        ([mean.elastic, mean.whole].map(stiff), mean.slopes.map(stiff))
     }
 
     /// Returns a part of this length in the water at a point, with the height of its middle and its unit tangent.

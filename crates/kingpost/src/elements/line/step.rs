@@ -17,6 +17,7 @@ use super::descent::Descent;
 use super::ground::LineGround;
 use super::mesh::LineMesh;
 use super::nodes::{Nodes, tangents};
+use super::one_sided::share_at_end;
 use super::section::WetPart;
 use super::strain::{gauss, slopes, sum};
 use crate::dynamics::Clock;
@@ -52,6 +53,16 @@ struct BaseNode<S> {
     wet: WetPart<S>,
 }
 
+/// Derivatives of position and velocity along a line at the base of the step.
+#[derive(Clone, Copy, Debug)]
+struct BaseStretch<S> {
+    way: Vector3<S>,
+    /// Length of `way`: the stretch ratio.
+    ratio: S,
+    /// Rate of `way`, 1/s.
+    rate: Vector3<S>,
+}
+
 /// Energy of a line over a part of a step, J.
 #[derive(Clone, Copy, Debug)]
 pub struct Booked<S> {
@@ -78,8 +89,8 @@ struct NodeLoads<S> {
 #[derive(Clone, Debug)]
 pub struct LineStep<S> {
     base: Vec<BaseNode<S>>,
-    /// Derivative of the position along the line, and its length, at the base, at the points of Gauss's rule.
-    stretched: Vec<(Vector3<S>, S)>,
+    /// Derivatives of position and velocity along the line at the base, at the points of Gauss's rule.
+    stretched: Vec<BaseStretch<S>>,
     next: Vec<Vector3<S>>,
     tangents: Vec<Vector3<S>>,
     blocks: Blocks<S>,
@@ -103,7 +114,7 @@ impl<S: Scalar> LineStep<S> {
         };
         Self {
             base: vec![node; count],
-            stretched: vec![(zero, S::ZERO); count - 1],
+            stretched: vec![BaseStretch { way: zero, ratio: S::ZERO, rate: zero }; count - 1],
             next: vec![zero; count],
             tangents: vec![zero; count],
             blocks: Blocks::new(count),
@@ -133,9 +144,10 @@ impl<S: Scalar> LineStep<S> {
             base.weight = dry * at.world.gravity;
         }
         for (k, stretched) in self.stretched.iter_mut().enumerate() {
-            let positions = [0, 1, 2].map(|i| self.base[k / 2 * 2 + i].position);
-            let way = sum(&slopes(gauss(k), mesh.elements[k / 2].length), &positions);
-            *stretched = (way, way.norm());
+            let slopes = slopes(gauss(k), mesh.elements[k / 2].length);
+            let way = sum(&slopes, &[0, 1, 2].map(|i| self.base[k / 2 * 2 + i].position));
+            let rate = sum(&slopes, &[0, 1, 2].map(|i| self.base[k / 2 * 2 + i].velocity));
+            *stretched = BaseStretch { way, ratio: way.norm(), rate };
         }
     }
 
@@ -212,16 +224,25 @@ impl<S: Scalar> LineStep<S> {
     /// Returns the direction of the mean tension at a point of Gauss's rule, its elastic and its whole value (N), and the
     /// derivative of the force along the derivative of the position.
     fn pull(&self, k: usize, mesh: &LineMesh<S>, interval: S) -> (Vector3<S>, [S; 2], Matrix3<S>) {
-        let (before, ratio_before) = self.stretched[k];
+        let (BaseStretch { way: before, ratio: ratio_before, rate: rate_before }, per_s) =
+            (self.stretched[k], S::ONE / interval);
+        let section = &mesh.elements[k / 2].section;
         let (_, after) = self.stretched_to(k, mesh);
         let (ratio, tangent) = length_and_direction(after);
-        let (tension, rise) = mesh.elements[k / 2].section.mean_tension([ratio_before, ratio], interval);
+        let share = share_at_end(interval, section.damping_time);
+        // The rate at the end by the midpoint rule, and its part along the line.
+        let at_end = (after - before) * (per_s + per_s) - rate_before;
+        let stretches = tangent.dot(at_end);
+        let rate = (ratio - ratio_before) * per_s * (S::ONE - share) + stretches * share;
+        let (tension, [rise, per_rate]) = section.mean_tension([ratio_before, ratio], rate);
         let sum = ratio_before + ratio;
-        let per_sum = S::ONE / sum.select_below(LEAST_RATIO, || S::constant(LEAST_RATIO), || sum);
+        let least = |ratio: S| ratio.select_below(LEAST_RATIO, || S::constant(LEAST_RATIO), || ratio);
+        let per_sum = S::ONE / least(sum);
         let direction = (before + after) * per_sum;
         let across = Matrix3::identity() - Matrix3::outer(direction, tangent);
-        let stiffness = Matrix3::outer(direction * rise, tangent) + across.scaled(tension[1] * per_sum);
-        (direction, tension, stiffness)
+        let turns = (at_end - tangent * stretches) * (per_rate * share / least(ratio));
+        let along = tangent * (rise + per_rate * (S::ONE + share) * per_s) + turns;
+        (direction, tension, Matrix3::outer(direction, along) + across.scaled(tension[1] * per_sum))
     }
 
     /// Returns the mean loads on a node between the ends.
@@ -239,7 +260,8 @@ impl<S: Scalar> LineStep<S> {
         };
         if let Some(ground) = ground {
             let depths = [base.position[2], self.next[node][2]].map(|z| -ground.depth - z);
-            let (support, heat, slope) = ground.mean_support(base.length, depths, way, interval);
+            let support = ground.mean_support(base.length, (depths, -base.velocity[2]), way, interval);
+            let (support, heat, slope) = support;
             loads.force += support;
             loads.slope += slope;
             loads.heat[1] = heat;
@@ -256,7 +278,7 @@ impl<S: Scalar> LineStep<S> {
             let half = mesh.elements[k / 2].length * S::constant(0.5);
             let (slopes, after) = self.stretched_to(k, mesh);
             let (direction, [elastic, whole], _) = self.pull(k, mesh, interval);
-            booked.dissipated += (whole - elastic) * (after.norm() - self.stretched[k].1) * half;
+            booked.dissipated += (whole - elastic) * (after.norm() - self.stretched[k].ratio) * half;
             for (slope, node) in slopes.iter().zip(k / 2 * 2..).filter(|(_, node)| *node == 0 || *node == end) {
                 booked.on_ends -= direction.dot(self.way(node)) * (whole * half * *slope);
             }
