@@ -11,8 +11,8 @@ interface Choice {
 
 const { $defs } = JSON.parse(readFileSync(here("../../schema/scenario.schema.json"), "utf8")) as { $defs: Record<string, Choice> };
 const namesOf = (choice: string) => $defs[choice].oneOf.flatMap(({ properties }) => Object.keys(properties ?? {}));
-/** Kinds of forces and drives, except one that is also the name of a solid. */
-const KINDS = ["Force", "Drive"].flatMap(namesOf).filter((kind) => !namesOf("Shape").includes(kind));
+/** Kinds of forces and drives, except those that are also names of solids, and a line, which is also one of a text or of a drawing. */
+const KINDS = ["Force", "Drive"].flatMap(namesOf).filter((kind) => ![...namesOf("Shape"), "line"].includes(kind));
 
 /** Source files of the app, except generated ones. */
 function sources(folder: string): string[] {

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import re
-import warnings
 
 from .cells import Cell
 from .deck import VESSEL, WORLD, Body, Deck, Point, Vector
@@ -116,19 +115,28 @@ def _three(numbers: list[float]) -> Vector:
     return x, y, z
 
 
+UPRIGHT = 1e-9
+"""Horizontal part of an axis, as a share of it, that is rounding."""
+
+
 def _orientation(row: Row, deck: Deck) -> Vector:
-    """Roll, pitch and yaw by intrinsic z-y-x angles, from intrinsic x-y-z angles."""
+    """Roll, pitch and yaw, rad, by intrinsic z-y-x angles, from intrinsic x-y-z angles in degrees."""
     from scipy.spatial.transform import Rotation
 
     angles = vector(row, 5, "r0 p0 y0")
-    with warnings.catch_warnings():
+    turned = Rotation.from_euler("XYZ", angles, degrees=True).as_matrix()
+    level = math.hypot(turned[0, 0], turned[1, 0])
+    pitch = math.atan2(-turned[2, 0], level)
+    if level > UPRIGHT:
+        yaw = math.atan2(turned[1, 0], turned[0, 0])
+        roll = math.atan2(turned[2, 1], turned[2, 2])
+    else:
         # At a pitch of 90 degrees one of many triples of angles is as good as another.
-        warnings.simplefilter("ignore", UserWarning)
-        yaw, pitch, roll = Rotation.from_euler("XYZ", angles, degrees=True).as_euler("ZYX")
+        yaw, roll = math.atan2(-turned[0, 1], turned[1, 1]), 0.0
     if sum(angle != 0 for angle in angles) > 1:
         text = " ".join(cell.text for cell in row.cells[5:8])
         deck.notes.convert(row.line, text, "angles about x, y, z in turn are written as roll, pitch, yaw")
-    return float(roll), float(pitch), float(yaw)
+    return roll, pitch, yaw
 
 
 def read_rods(sections: Sections, deck: Deck) -> dict[str, str | None]:
