@@ -16,6 +16,7 @@ import xarray as xr
 from ..scenario import Scenario
 from ..simulation.simulate import Simulation, run
 from .models import GRAVITY, G, scenario, settings, value
+from .mooring import elastic_span
 from .rows import Compared, check, worst
 
 AREA = "lines"
@@ -175,16 +176,8 @@ def catenary(line: dict[str, Any], grounded: bool) -> tuple[float, float]:
     across, up = (abs(line["anchor_m"][i] - line["fairlead_m"][i]) for i in (0, 2))
 
     def misses(force: np.ndarray) -> np.ndarray:
-        pull, lift = force
-        below = max(lift - weight * length, 0.0) if grounded else lift - weight * length
-        hanging = (lift - below) / weight
-        ends = math.hypot(pull, lift), math.hypot(pull, below)
-        wide = pull / weight * (math.asinh(lift / pull) - math.asinh(below / pull))
-        return np.array(
-            [
-                length - hanging + wide + pull * length / stiffness - across,
-                (ends[0] - ends[1]) / weight + (lift**2 - below**2) / (2 * weight * stiffness) - up,
-            ]
+        return np.subtract(
+            elastic_span((force[0], force[1]), weight, length, stiffness, grounded), (across, up)
         )
 
     force = weight * np.array([across / 3, 0.7 * length])

@@ -88,6 +88,24 @@ def catenary_grounded() -> Compared:
     return Compared(ours, 500.0 - math.sqrt(100.0**2 + 2 * 100.0 * 300.0))
 
 
+def elastic_span(
+    force: tuple[float, float], weight: float, length: float, stiffness: float, grounded: bool = False
+) -> tuple[float, float]:
+    """Horizontal and vertical distance of the ends of an elastic catenary, m, under the horizontal and the
+    vertical force at its upper end, N (Irvine, *Cable Structures*, 1981, ch. 1).
+
+    Grounded, its lower part may lie on a level bottom without friction.
+    """
+    pull, lift = force
+    below = lift - weight * length
+    lying = max(-below, 0.0) / weight if grounded else 0.0
+    below += weight * lying
+    turns = math.asinh(lift / pull) - math.asinh(below / pull)
+    ends = math.hypot(pull, lift), math.hypot(pull, below)
+    across = lying + pull / weight * turns + pull * length / stiffness
+    return across, (ends[0] - ends[1]) / weight + (lift**2 - below**2) / (2 * weight * stiffness)
+
+
 @check(
     "catenary-elastic",
     "tension of a rope of 20 MN that hangs free",
@@ -99,12 +117,9 @@ def catenary_grounded() -> Compared:
 )
 def catenary_elastic() -> Compared:
     pull, lift, weight, length, stiffness = 2e5, 1.5e5, 250.0, 400.0, 2e7
-    below = lift - weight * length
-    across = pull / weight * (math.asinh(lift / pull) - math.asinh(below / pull)) + pull * length / stiffness
-    ends = math.hypot(pull, lift), math.hypot(pull, below)
-    up = (ends[0] - ends[1]) / weight + (lift**2 - below**2) / (2 * weight * stiffness)
+    across, up = elastic_span((pull, lift), weight, length, stiffness)
     simulation = _line(across, up, length, weight, stiffness, False)
-    return Compared(value(simulation, "line_tension", "line"), ends[0])
+    return Compared(value(simulation, "line_tension", "line"), math.hypot(pull, lift))
 
 
 @check(

@@ -45,7 +45,7 @@ struct Straight {
 }
 
 /// Steel wire: 30 kg/m, EA = 800 MN, thin enough to have no water around it.
-const WIRE: LineSection = LineSection {
+pub const WIRE: LineSection = LineSection {
     mass_per_length: 30.0,
     diameter: 1e-9,
     axial_stiffness: 8e8,

@@ -1,5 +1,6 @@
 //! Lines with mass at the step of a ship: closed forms of their forced motion, order of the coupled scheme, and energy.
 
+use crate::line_dynamics::WIRE;
 use kingpost::elements::{DynamicLine, LinePart, LineSection};
 use kingpost::integrate::Tolerances;
 use kingpost::model::Attachment;
@@ -9,15 +10,6 @@ use kingpost::spatial::{Frame, Vector3};
 use nalgebra::{Complex, ComplexField};
 use std::f64::consts::TAU;
 
-/// Steel wire: 30 kg/m, EA = 800 MN, thin enough to have no water around it.
-const WIRE: LineSection = LineSection {
-    mass_per_length: 30.0,
-    diameter: 1e-9,
-    axial_stiffness: 8e8,
-    damping_time: 0.0,
-    added_mass: [1.0, 0.0],
-    drag: [1.2, 0.0],
-};
 const G: f64 = 9.80665;
 const AMPLITUDE_M: f64 = 0.05;
 

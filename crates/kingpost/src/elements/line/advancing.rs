@@ -2,7 +2,6 @@
 
 use super::DynamicLine;
 use super::step::{Booked, CONVERGED, MOST_ITERATIONS};
-use crate::elements::lines::place;
 use crate::elements::{Advancing, Context, NotAdvanced};
 use crate::scalar::Scalar;
 
@@ -32,7 +31,7 @@ impl<S: Scalar> Advancing<S> for DynamicLine<S> {
     }
 
     fn advance(&mut self, at: &Context<'_, S>, states: &mut [S]) -> Result<(), NotAdvanced> {
-        let ends = [0, 1].map(|end| place(&self.ends[end], at.model, at.links));
+        let ends = self.end_places(at);
         self.step.advance(&self.mesh, self.ground.as_ref(), ends, at.clock.time_s).map_err(|move_m| NotAdvanced {
             move_m,
             allowed_m: CONVERGED * self.mesh.shortest().value(),

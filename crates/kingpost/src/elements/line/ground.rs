@@ -25,7 +25,7 @@ impl<S: Scalar> LineGround<S> {
     pub fn support(&self, length: S, depth: S, velocity: Vector3<S>) -> (Vector3<S>, S, S) {
         let [vx, vy, sinking] = [velocity[0], velocity[1], -velocity[2]];
         let stiffness = self.stiffness_per_length * length;
-        let OneSided { elastic, whole, .. } = one_sided(depth, sinking, self.damping_time);
+        let [elastic, whole] = one_sided(depth, sinking, self.damping_time);
         let normal = stiffness * whole;
         let speed = (vx * vx + vy * vy + self.sliding_speed * self.sliding_speed).sqrt();
         let drag = self.friction * normal / speed;

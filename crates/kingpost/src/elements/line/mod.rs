@@ -125,8 +125,9 @@ impl<S: Scalar> DynamicLine<S> {
 
     /// Reads the motion of the ends and of the nodes between them.
     fn put_nodes(&mut self, at: &Context<'_, S>, states: &[S]) {
-        for (end, node) in self.ends.iter().zip(self.end_nodes()) {
-            self.nodes.put(node, place(end, at.model, at.links), velocity(end, at));
+        let places = self.end_places(at);
+        for ((end, place), node) in self.ends.iter().zip(places).zip(self.end_nodes()) {
+            self.nodes.put(node, place, velocity(end, at));
         }
         let (positions, velocities) = states[..self.motions()].split_at(self.motions() / 2);
         for (k, (x, v)) in positions.chunks_exact(3).zip(velocities.chunks_exact(3)).enumerate() {
@@ -136,8 +137,8 @@ impl<S: Scalar> DynamicLine<S> {
 
     /// Puts the nodes where they rest between the present ends.
     fn rest(&mut self, at: &Context<'_, S>) {
-        let Self { nodes, statics, mesh, ground, ends, .. } = self;
-        let ends = [0, 1].map(|end| place(&ends[end], at.model, at.links));
+        let ends = self.end_places(at);
+        let Self { nodes, statics, mesh, ground, .. } = self;
         let calm = Context { evaluation: EvaluationMode::AtRest, ..*at };
         let found = statics.solve(mesh, ground.as_ref(), ends, &calm);
         for (node, place) in found.iter().enumerate() {
@@ -158,6 +159,11 @@ impl<S: Scalar> DynamicLine<S> {
         self.nodes.stretch(&self.mesh);
         let ends = self.end_nodes().map(|node| self.nodes.node(node).position);
         RestingLine { ends, strain: self.nodes.largest_strain(&self.mesh) }
+    }
+
+    /// Returns the positions of its ends, world, m.
+    fn end_places(&self, at: &Context<'_, S>) -> [Vector3<S>; 2] {
+        [0, 1].map(|end| place(&self.ends[end], at.model, at.links))
     }
 
     /// Returns the indices of the nodes at its ends.

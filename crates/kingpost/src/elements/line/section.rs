@@ -1,6 +1,6 @@
 //! Properties of a line per length, and the force of the water on a part of it.
 
-use super::one_sided::{OneSided, mean_one_sided, one_sided};
+use super::one_sided::{mean_one_sided, one_sided};
 use crate::elements::Context;
 use crate::elements::lines::length_and_direction;
 use crate::scalar::Scalar;
@@ -106,8 +106,7 @@ impl<S: Scalar> WetPart<S> {
 impl<S: Scalar> LineSection<S> {
     /// Returns the tension at a stretch ratio and its rate, N: the part that is stored, and the whole. A line does not push.
     pub fn tension(&self, ratio: S, rate: S) -> [S; 2] {
-        let OneSided { elastic, whole, .. } = one_sided(ratio - S::ONE, rate, self.damping_time);
-        [self.axial_stiffness * elastic, self.axial_stiffness * whole]
+        one_sided(ratio - S::ONE, rate, self.damping_time).map(|part| self.axial_stiffness * part)
     }
 
     /// Returns the mean tension of an interval between two stretch ratios with this rate, N, as [`tension`](Self::tension), and

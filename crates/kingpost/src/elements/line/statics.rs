@@ -5,7 +5,6 @@ use super::descent::Descent;
 use super::ground::LineGround;
 use super::mesh::{LineMesh, LineMeshElement};
 use super::nodes::tangents;
-
 use super::strain::{gauss, slopes, strained};
 use crate::elements::Context;
 use crate::elements::lines::{Catenary, Span};

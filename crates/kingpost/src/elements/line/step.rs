@@ -260,8 +260,8 @@ impl<S: Scalar> LineStep<S> {
         };
         if let Some(ground) = ground {
             let depths = [base.position[2], self.next[node][2]].map(|z| -ground.depth - z);
-            let support = ground.mean_support(base.length, (depths, -base.velocity[2]), way, interval);
-            let (support, heat, slope) = support;
+            let sinking = -base.velocity[2];
+            let (support, heat, slope) = ground.mean_support(base.length, (depths, sinking), way, interval);
             loads.force += support;
             loads.slope += slope;
             loads.heat[1] = heat;

@@ -31,6 +31,8 @@ pub struct WaveField<S = f64> {
     ramp_s: f64,
     stretching: Stretching,
     pub(super) amplitudes_m: Vec<S>,
+    /// Sum of the amplitudes: no crest is higher and no trough is deeper, m.
+    pub(super) highest_m: S,
     pub(super) turns: PhaseTurns<S>,
     /// k of each wave, 1/m.
     pub(super) wave_numbers_per_m: Vec<S>,
@@ -88,6 +90,7 @@ impl<S: Scalar> WaveField<S> {
             water,
             ramp_s,
             stretching: Stretching::default(),
+            highest_m: sum_of_sizes(&amplitudes_m),
             amplitudes_m,
             turns,
             wave_numbers_per_m: of_each(&|wave| wave.wave_number_per_m),
@@ -117,6 +120,7 @@ impl<S: Scalar> WaveField<S> {
             (wave.amplitude_m, wave.phase_rad) = (*amplitude, *phase);
         }
         self.amplitudes_m.copy_from_slice(amplitudes_m);
+        self.highest_m = sum_of_sizes(amplitudes_m);
         let turns = phases_rad.iter().map(|phase| *phase * S::constant(1.0 / TAU));
         self.turns.phase.iter_mut().zip(turns).for_each(|(to, turns)| *to = turns);
         self.realisation += 1;
@@ -333,4 +337,8 @@ impl<S: Scalar> WaveField<S> {
         let [level, upward] = [down + up, down - up].map(|sum| self.bottom_scales[i] * sum);
         [level + further * upward, upward + further * level]
     }
+}
+
+fn sum_of_sizes<S: Scalar>(amplitudes_m: &[S]) -> S {
+    amplitudes_m.iter().fold(S::ZERO, |sum, amplitude| sum + amplitude.select_below(0.0, || -*amplitude, || *amplitude))
 }

@@ -11,11 +11,7 @@ impl<S: Scalar> WaveField<S> {
     /// Returns whether a point at this height, m, is under water at any time, and moves there by its height in still water
     /// alone, whatever the elevation.
     pub fn is_always_under(&self, height_m: S) -> bool {
-        let highest = self
-            .amplitudes_m
-            .iter()
-            .fold(S::ZERO, |sum, amplitude| sum + amplitude.select_below(0.0, || -*amplitude, || *amplitude));
-        self.stretching() != Stretching::Wheeler && (height_m + highest).all(|above| above < 0.0)
+        self.stretching() != Stretching::Wheeler && (height_m + self.highest_m).all(|above| above < 0.0)
     }
 
     /// Returns velocity and acceleration of the water, world, m/s and m/s^2: those of [`Self::kinematics`] to rounding, for a
