@@ -255,7 +255,7 @@ pub trait Advancing<S: Scalar = f64> {
 
     /// Completes the states at the end of the step, to which it was advanced and where the scheme has integrated
     /// [`rates`](Element::rates). Returns the heat and the work from outside of the step, without those of the loads, J.
-    fn end_step(&mut self, states: &mut [S]) -> [S; 2];
+    fn end_step(&mut self, at: &Context<'_, S>, states: &mut [S]) -> [S; 2];
 }
 
 /// An iteration of an [`Advancing`] element that does not converge.

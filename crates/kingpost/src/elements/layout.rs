@@ -120,6 +120,8 @@ pub struct Layout {
     pub holding: Vec<usize>,
     /// The elements that advance their states in explicit schemes.
     pub advancing: Vec<usize>,
+    /// The entries of s that are motions of these elements.
+    pub motions: Vec<usize>,
     /// Inputs that take a sampled output.
     pub wires: Vec<Wire>,
     /// The elements that set inputs.
@@ -184,6 +186,9 @@ impl Layout {
             layout.holding.extend(declared.holds.then_some(element));
             layout.advancing.extend(declared.advances.then_some(element));
         }
+        let states = layout.states.iter().enumerate();
+        layout.motions =
+            states.filter(|(_, own)| own.advanced && !own.remembers).map(|(i, _)| ledger + i).collect();
         layout.lay_wires();
         layout
     }

@@ -89,6 +89,11 @@ pub trait System<S: Scalar = f64> {
     /// rejected trial.
     fn reject(&mut self) {}
 
+    /// Returns the entries of s that are motions: a scheme with error control resolves them like v.
+    fn motions(&self) -> &[usize] {
+        &[]
+    }
+
     /// Begins a step of an explicit Runge-Kutta scheme with a fixed step at its base.
     fn begin_stages(&mut self, _base: Stage<'_, S>) {}
 

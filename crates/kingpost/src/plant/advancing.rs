@@ -41,7 +41,7 @@ impl<S: Scalar> Plant<S> {
                 break;
             }
             if is_end {
-                let [heat, work] = element.end_step(own);
+                let [heat, work] = element.end_step(&contexts.shared, own);
                 if layout.ledger > 0 {
                     s[ledger::ENERGY_DISSIPATED] += heat;
                     s[ledger::WORK_BY_OUTSIDE] += work;

@@ -395,6 +395,10 @@ impl<S: Scalar> System<S> for Plant<S> {
         }
     }
 
+    fn motions(&self) -> &[usize] {
+        &self.layout.motions
+    }
+
     fn begin_stages(&mut self, base: Stage<'_, S>) {
         self.begin_advancing(base);
     }

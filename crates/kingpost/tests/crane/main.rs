@@ -19,6 +19,7 @@ mod inextensible_ropes;
 mod line_dynamics;
 mod line_statics;
 mod line_steps;
+mod line_supply;
 mod linear_check;
 mod load_charts;
 mod motion_compensation;

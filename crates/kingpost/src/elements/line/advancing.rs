@@ -1,6 +1,7 @@
 //! A line in the stages of an explicit scheme.
 
 use super::DynamicLine;
+use super::supply::Supplied;
 use super::step::{Booked, CONVERGED, MOST_ITERATIONS};
 use crate::elements::{Advancing, Context, NotAdvanced};
 use crate::scalar::Scalar;
@@ -11,26 +12,28 @@ impl<S: Scalar> DynamicLine<S> {
     ///
     /// The rate of strain is that of the implicit rule at the ends too: the first positions of an explicit step are those of
     /// Euler's method, and the nodes between the ends follow them.
-    pub(super) fn evaluate_ends(&mut self, at: &Context<'_, S>) {
-        self.put_nodes(at, at.states);
+    pub(super) fn evaluate_ends(&mut self, at: &Context<'_, S>) -> Option<Supplied<S>> {
+        let supplied = self.put_nodes(at, at.states);
         let by_rule = self.end_nodes().map(|node| self.step.has_advanced().then(|| self.step.velocity(node)));
         self.nodes.stretch_ends(&self.mesh, by_rule);
-        self.on_ends = self.nodes.power_on_ends();
+        self.book_ends(supplied.is_some(), at);
         for node in self.end_nodes() {
             let water = self.step.water_at(node, at.clock.time_s);
             self.nodes.load_end(node, &self.mesh, self.ground.as_ref(), water, at);
         }
+        supplied
     }
 }
 
 impl<S: Scalar> Advancing<S> for DynamicLine<S> {
     fn begin_step(&mut self, at: &Context<'_, S>, states: &[S]) {
-        self.put_nodes(at, states);
+        let rate = self.put_nodes(at, states).map_or(S::ZERO, |supplied| supplied.rate);
         self.at_base = [states[self.motions()], states[self.motions() + 1]];
-        self.step.begin(&self.nodes, &self.mesh, at);
+        self.step.begin(&self.nodes, &mut self.mesh, (self.ground.as_ref(), rate), at);
     }
 
     fn advance(&mut self, at: &Context<'_, S>, states: &mut [S]) -> Result<(), NotAdvanced> {
+        self.supply(at);
         let ends = self.end_places(at);
         self.step.advance(&self.mesh, self.ground.as_ref(), ends, at.clock.time_s).map_err(|move_m| NotAdvanced {
             move_m,
@@ -48,8 +51,9 @@ impl<S: Scalar> Advancing<S> for DynamicLine<S> {
 
     /// Returns heat and work of the water, J. The heat contains the energy that the scheme loses: the ends get the work of
     /// the tension by the scheme of the bodies, the line gives it by its implicit rule.
-    fn end_step(&mut self, states: &mut [S]) -> [S; 2] {
-        let Booked { dissipated, outside, on_ends } = self.step.booked(&self.mesh, self.ground.as_ref());
+    fn end_step(&mut self, at: &Context<'_, S>, states: &mut [S]) -> [S; 2] {
+        let gravity = at.world.gravity;
+        let Booked { dissipated, outside, on_ends } = self.step.booked(&self.mesh, self.ground.as_ref(), gravity);
         let [worked, lost] = self.at_base;
         let motions = self.motions();
         let lost_now = on_ends - (states[motions] - worked);

@@ -1,12 +1,17 @@
 //! Lines with mass: their ends, sections and seabed.
 
-use super::{DynamicLine, LineGround, LinePart, LineSection};
+use super::{DynamicLine, LineGround, LinePart, LineSection, RestingLine};
+use crate::dynamics::LinkKinematics;
 use crate::elements::lines::assembly::{LARGEST_STRAIN, end};
-use crate::elements::{AnyElement, of_kind};
+use crate::elements::ropes::assembly::at_start::check_path;
+use crate::elements::ropes::assembly::{Laid, lay};
+use crate::elements::ropes::{Drum, Station};
+use crate::elements::{AnyElement, Context, of_kind_mut};
+use crate::model::Attachment;
 use crate::scenario::assembly::FieldError;
 use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::leaf::Quantity;
-use crate::scenario::schema;
+use crate::scenario::schema::{self, RopeStation};
 use crate::simulation::Setup;
 
 /// Largest number of elements of a line: its cost is linear in them, but each has twelve states.
@@ -22,13 +27,7 @@ const ON_SEABED: f64 = 1e-9;
 impl<S: Quantity> Assemble<S> for schema::DynamicLine<S> {
     fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
         let field = |field: &str| format!("forces.{name}.line.{field}");
-        if self.first.body == self.second.body {
-            let allowed = "another body than that of the first end";
-            return Err(FieldError::new(field("second.body"), &self.second.body, allowed));
-        }
-        let ends = [("first", &self.first), ("second", &self.second)];
-        let [first, second] = ends.map(|(which, pin)| end(at.scenario, at.model, &field(which), pin));
-        let (first, second) = (first?, second?);
+        let laid = laid(self, &field, &at)?;
         let parts = parts(self, &field)?;
         let ground = match &self.seabed {
             None => None,
@@ -38,10 +37,65 @@ impl<S: Quantity> Assemble<S> for schema::DynamicLine<S> {
                 Some(ground(seabed, &parts, depth.ok_or_else(nowhere)?))
             }
         };
-        let (Some(first), Some(second), true) = (first, second, self.enabled) else { return Ok(Vec::new()) };
-        let line = DynamicLine::new(name, [first, second], &parts);
+        let line = match (laid, self.enabled) {
+            (Some(LaidLine::Between(ends)), true) => DynamicLine::new(name, ends, &parts),
+            (Some(LaidLine::Over(stations, drum)), true) => DynamicLine::over(name, &stations, drum, &parts),
+            _ => return Ok(Vec::new()),
+        };
         Ok(vec![Box::new(DynamicLine { ground, ..line })])
     }
+}
+
+/// The places of a line.
+enum LaidLine<S> {
+    /// Its two ends.
+    Between([Attachment<S>; 2]),
+    /// The stations of a path, and the drum at its beginning.
+    Over(Vec<Station<S>>, Option<Drum<S>>),
+}
+
+/// Returns the places of a line; `None` if a body does not exist.
+fn laid<S: Quantity>(
+    line: &schema::DynamicLine<S>,
+    field: &dyn Fn(&str) -> String,
+    at: &Surroundings<'_, S>,
+) -> Result<Option<LaidLine<S>>, FieldError> {
+    let (first, second) = match (&line.first, &line.second, line.path.is_empty()) {
+        (Some(first), Some(second), true) => (first, second),
+        (None, None, false) => return over(line, field, at),
+        (first, second, bare) => {
+            let found = [("first", first.is_some()), ("second", second.is_some()), ("path", !bare)];
+            let given: Vec<&str> = found.iter().filter(|(_, given)| *given).map(|(name, _)| *name).collect();
+            let found = if given.is_empty() { "neither ends nor a path".to_owned() } else { given.join(" and ") };
+            return Err(FieldError::new(field("first"), found, "first and second, or a path instead of both"));
+        }
+    };
+    if first.body == second.body {
+        return Err(FieldError::new(field("second.body"), &second.body, "another body than that of the first end"));
+    }
+    let ends = [("first", first), ("second", second)];
+    let [first, second] = ends.map(|(which, pin)| end(at.scenario, at.model, &field(which), pin));
+    Ok(first?.zip(second?).map(|(first, second)| LaidLine::Between([first, second])))
+}
+
+/// Returns the stations of a line over a path.
+fn over<S: Quantity>(
+    line: &schema::DynamicLine<S>,
+    field: &dyn Fn(&str) -> String,
+    at: &Surroundings<'_, S>,
+) -> Result<Option<LaidLine<S>>, FieldError> {
+    for (k, station) in line.path.iter().enumerate() {
+        if let RopeStation::Point(point) = station
+            && point.falls != 1
+        {
+            let found = format!("{} falls", point.falls);
+            return Err(FieldError::new(field(&format!("path.{k}.point.falls")), found, "1: a line has one fall"));
+        }
+    }
+    let of = field("path");
+    let of = of.trim_end_matches(".path");
+    let Laid { stations, drum } = lay(at.scenario, of, &line.path, at.model)?;
+    Ok(stations.map(|stations| LaidLine::Over(stations, drum)))
 }
 
 /// Returns the parts of a line.
@@ -89,31 +143,43 @@ fn ground<S: Quantity>(seabed: &schema::LineSeabed<S>, parts: &[LinePart<S>], de
     }
 }
 
-/// Checks that at the start of a run lines have a shape at rest, above the seabed at their ends and without a strain that no
-/// material has.
-pub fn check_start<S: Quantity>(setup: &Setup<S>) -> Result<(), FieldError> {
-    for line in of_kind::<S, DynamicLine<S>>(&setup.elements) {
-        let field = |field: &str| format!("forces.{}.line.{field}", line.name);
-        let rest = line.clone().at_rest(&setup.model, &setup.world, (&setup.q, &setup.v));
-        for (which, z) in ["first", "second"].iter().zip(rest.ends.map(|end| end[2])) {
-            let Some(depth) = line.ground.map(|ground| ground.depth) else { continue };
-            let under = -(z + depth) / depth;
-            if !under.all(|under| under <= ON_SEABED) {
-                let found = format!("an end that starts {} m below the seabed", -(z + depth));
-                return Err(FieldError::new(field(which), found, "an end above the seabed, or no seabed"));
-            }
+/// Takes the start of the run as the reference of drums and paths, and checks that lines have a shape at rest there, above the
+/// seabed at their ends and without a strain that no material has.
+pub fn begin<S: Quantity>(setup: &mut Setup<S>) -> Result<(), FieldError> {
+    let Setup { model, world, elements, q, v, .. } = setup;
+    let mut links = LinkKinematics::new(model);
+    links.update(model, q, v);
+    let at = Context::at_rest(world, model, &links, (q, v));
+    for line in of_kind_mut::<S, DynamicLine<S>>(elements) {
+        let of = format!("forces.{}.line", line.name);
+        if let Some(path) = line.begin_supply(&at) {
+            check_path(path, &at, &of)?;
         }
-        if rest.strain.all(|strain| strain <= LARGEST_STRAIN) {
-            continue;
-        }
-        let found = format!(
-            "{} m between ends {:.1} m apart, a strain of {:.3}",
-            line.unstretched_length(),
-            (rest.ends[1] - rest.ends[0]).norm(),
-            rest.strain
-        );
-        let allowed = format!("a strain of {LARGEST_STRAIN} at most: check lengths, masses and stiffness");
-        return Err(FieldError::new(field("sections.0.unstretched_length_m"), found, allowed));
+        let rest = line.clone().at_rest(&at);
+        check_rest(line, &rest, &of)?;
     }
     Ok(())
+}
+
+fn check_rest<S: Quantity>(line: &DynamicLine<S>, rest: &RestingLine<S>, of: &str) -> Result<(), FieldError> {
+    let depth = line.ground.map(|ground| ground.depth);
+    for (which, z) in line.end_fields().iter().zip(rest.ends.map(|end| end[2])) {
+        let Some(depth) = depth else { continue };
+        let under = -(z + depth) / depth;
+        if !under.all(|under| under <= ON_SEABED) {
+            let found = format!("an end that starts {} m below the seabed", -(z + depth));
+            return Err(FieldError::new(format!("{of}.{which}"), found, "an end above the seabed, or no seabed"));
+        }
+    }
+    if rest.strain.all(|strain| strain <= LARGEST_STRAIN) {
+        return Ok(());
+    }
+    let found = format!(
+        "{} m between ends {:.1} m apart, a strain of {:.3}",
+        line.unstretched_length(),
+        (rest.ends[1] - rest.ends[0]).norm(),
+        rest.strain
+    );
+    let allowed = format!("a strain of {LARGEST_STRAIN} at most: check lengths, masses and stiffness");
+    Err(FieldError::new(format!("{of}.sections.0.unstretched_length_m"), found, allowed))
 }

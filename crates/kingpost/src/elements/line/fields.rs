@@ -3,11 +3,12 @@
 use kingpost_derive::fields;
 
 use crate::scenario::leaf::Leaf;
-use crate::scenario::schema::{NonNegative, Pin, Positive, yes};
+use crate::scenario::schema::{NonNegative, Pin, Positive, RopeStation, yes};
 
 /// A wire or chain with mass between two points on bodies or in the world: a mooring line, a hoisting wire in deep water.
 /// It has axial stiffness and damping, weight, buoyancy, added mass and drag in waves and current, and can lie on the seabed;
-/// it has no bending stiffness. A run begins with the line at rest between its ends.
+/// it has no bending stiffness. A run begins with the line at rest between its ends. It has two ends, or a path over a drum and
+/// sheaves, from which its first section is paid out.
 ///
 /// With `rk4` and `euler` the line is advanced implicitly within each step, so that its axial waves do not limit the step;
 /// `dormand_prince` resolves them.
@@ -17,10 +18,15 @@ pub struct DynamicLine<S = f64> {
     #[serde(default = "yes")]
     pub enabled: bool,
     /// One end: a fairlead, a crane's tip.
-    pub first: Pin<S>,
+    pub first: Option<Pin<S>>,
     /// The other end: an anchor in the `world`, or a point of another body.
-    pub second: Pin<S>,
-    /// Its sections, from the first end.
+    pub second: Option<Pin<S>>,
+    /// Instead of both ends, the places of a path as of a `rope`, with one fall: the line is its last leg, from the last drum or
+    /// sheave, taken as a point, to the last point. Up to there it does not stretch and has no mass; the weight of what is paid
+    /// out is taken from the first place.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub path: Vec<RopeStation<S>>,
+    /// Its sections, from the first end. With a path the length of the first one is that at the start.
     pub sections: Vec<DynamicLineSection<S>>,
     /// The level seabed on which it can lie; without it, the line does not touch the seabed.
     pub seabed: Option<LineSeabed<S>>,

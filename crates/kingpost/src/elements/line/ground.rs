@@ -34,6 +34,13 @@ impl<S: Scalar> LineGround<S> {
         (force, heat, stiffness * elastic * elastic * S::constant(0.5))
     }
 
+    /// Returns the elastic force (N/m) and its energy (J/m) per length, `depth` (m) under the ground.
+    pub fn held_per_length(&self, depth: S) -> [S; 2] {
+        let [elastic, _] = one_sided(depth, S::ZERO, self.damping_time);
+        let force = self.stiffness_per_length * elastic;
+        [force, force * elastic * S::constant(0.5)]
+    }
+
     /// Returns the mean force (N) over an interval on a part of this length that moves by `way` (m) between two depths under
     /// the ground and sinks with `sinking` (m/s) at first, its heat (J), and the derivative of the force along the way, with the
     /// sign changed, N/m.

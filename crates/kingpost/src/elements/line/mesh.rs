@@ -34,6 +34,11 @@ pub struct LineMeshNode<S> {
     pub section: LineSection<S>,
     /// Middle of this length, from the node along the line, as a share of the length: not 0 at the ends.
     pub middle: f64,
+    /// Where the node is in a first part that is [paid out](LineMesh::pays_out): 1 at the first end of the line, 0 at the end of
+    /// the part and beyond, or if nothing is paid out.
+    pub share: f64,
+    /// Derivative of the length along that of the first part, if it is paid out.
+    pub growth: f64,
 }
 
 impl<S: Scalar> LineMeshNode<S> {
@@ -58,7 +63,20 @@ pub struct LineMesh<S> {
     pub nodes: Vec<LineMeshNode<S>>,
     /// Length of the line, m.
     pub length: S,
+    /// Number of elements of the first part, whose length changes as it is paid out; 0 if none does.
+    pub supplied: usize,
+    /// Length of the first part, and of all others, m.
+    first: S,
+    others: S,
+    /// What belongs to the node at the end of the first part, without that part.
+    beyond: Option<LineMeshNode<S>>,
 }
+
+/// Sixths of the length of an element at its nodes: Simpson's rule.
+const SIMPSON: [f64; 3] = [1.0, 4.0, 1.0];
+/// Sixths in the element at a drum or sheave: without mass there, so that the inertia of the line is on its nodes alone. The
+/// total and the first moment are those of Simpson's rule; the error of natural frequencies is of third order there.
+const AT_DRUM: [f64; 3] = [0.0, 6.0, 0.0];
 
 impl<S: Scalar> LineMesh<S> {
     /// Divides the parts of a line into elements of equal length in each.
@@ -68,20 +86,59 @@ impl<S: Scalar> LineMesh<S> {
             core::iter::repeat_n(LineMeshElement { length, section: part.section }, part.elements)
         });
         let elements: Vec<LineMeshElement<S>> = divided.collect();
-        let share = |element: &LineMeshElement<S>, sixths: f64| element.length * S::constant(sixths / 6.0);
-        let whole = |element: &LineMeshElement<S>, sixths, middle| LineMeshNode {
-            length: share(element, sixths),
-            section: element.section,
-            middle,
-        };
-        let mut nodes = vec![whole(&elements[0], 1.0, 0.5)];
+        let mut nodes = vec![node(&elements[0], SIMPSON[0], 0.5)];
         for (k, element) in elements.iter().enumerate() {
-            nodes.push(whole(element, 4.0, 0.0));
-            let at_end = whole(element, 1.0, -0.5);
-            nodes.push(elements.get(k + 1).map_or(at_end, |next| at_end.with(&whole(next, 1.0, 0.5))));
+            nodes.push(node(element, SIMPSON[1], 0.0));
+            let at_end = node(element, SIMPSON[2], -0.5);
+            nodes.push(elements.get(k + 1).map_or(at_end, |next| at_end.with(&node(next, SIMPSON[0], 0.5))));
         }
-        let length = parts.iter().fold(S::ZERO, |sum, part| sum + part.unstretched_length);
-        Self { elements, nodes, length }
+        let first = parts[0].unstretched_length;
+        let others = parts[1..].iter().fold(S::ZERO, |sum, part| sum + part.unstretched_length);
+        Self { elements, nodes, length: first + others, supplied: 0, first, others, beyond: None }
+    }
+
+    /// Lets the length of the first part change: this number of elements.
+    pub fn pays_out(self, supplied: usize) -> Self {
+        let beyond = self.elements.get(supplied).map(|next| node(next, SIMPSON[0], 0.5));
+        let mut mesh = Self { supplied, beyond, ..self };
+        let all = supplied as f64;
+        for i in 0..=2 * supplied {
+            let of = [i.checked_sub(1).map(|_| (i - 1) / 2), (i < 2 * supplied).then_some(i / 2)];
+            let sixths = match of {
+                [_, Some(element)] if i % 2 == 1 => sixths(element)[1],
+                [before, behind] => before.map_or(0.0, |e| sixths(e)[2]) + behind.map_or(0.0, |e| sixths(e)[0]),
+            };
+            (mesh.nodes[i].share, mesh.nodes[i].growth) = (1.0 - i as f64 / (2.0 * all), sixths / (6.0 * all));
+        }
+        mesh.set_first(mesh.first);
+        mesh
+    }
+
+    /// Sets the length of the first part, m.
+    pub fn set_first(&mut self, length: S) {
+        let element_length = length / S::constant(self.supplied as f64);
+        self.elements[..self.supplied].iter_mut().for_each(|element| element.length = element_length);
+        let end = 2 * self.supplied;
+        for node in &mut self.nodes[..=end] {
+            node.length = length * S::constant(node.growth);
+        }
+        if let Some(beyond) = &self.beyond {
+            let LineMeshNode { growth, share, .. } = self.nodes[end];
+            let own = node(&self.elements[self.supplied - 1], 0.0, 0.0);
+            let own = LineMeshNode { length: length * S::constant(growth), ..own };
+            self.nodes[end] = LineMeshNode { growth, share, ..own.with(beyond) };
+        }
+        (self.first, self.length) = (length, length + self.others);
+    }
+
+    /// Returns the length of the first part, m.
+    pub fn first(&self) -> S {
+        self.first
+    }
+
+    /// Returns the mass per length of the first part, kg/m.
+    pub fn mass_per_length(&self) -> S {
+        self.elements[0].section.mass_per_length
     }
 
     /// Returns the length of the shortest element, m.
@@ -113,6 +170,17 @@ impl<S: Scalar> LineMeshNode<S> {
                 of(|section| section.drag[1] * section.diameter) / diameter,
             ],
         };
-        Self { length, section, middle: 0.0 }
+        Self { length, section, middle: 0.0, share: 0.0, growth: 0.0 }
     }
+}
+
+/// Returns a node with these sixths of an element, whose middle is at this share of them from the node.
+fn node<S: Scalar>(element: &LineMeshElement<S>, sixths: f64, middle: f64) -> LineMeshNode<S> {
+    let length = element.length * S::constant(sixths / 6.0);
+    LineMeshNode { length, section: element.section, middle, share: 0.0, growth: 0.0 }
+}
+
+/// Returns the sixths of an element of a part that is paid out.
+fn sixths(element: usize) -> [f64; 3] {
+    if element == 0 { AT_DRUM } else { SIMPSON }
 }

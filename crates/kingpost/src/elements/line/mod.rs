@@ -15,28 +15,33 @@ mod ground;
 mod mesh;
 mod nodes;
 mod one_sided;
+mod pay_out;
 mod section;
 mod statics;
 mod step;
 mod strain;
+mod supply;
 
 pub use ground::LineGround;
 pub use mesh::LinePart;
 pub use section::LineSection;
+pub use supply::LineSupply;
 
 use super::lines::{declaration_of_line, place, pull_at, shares, velocity};
+use super::ropes::{Drum, RopePath, Station};
 use super::{
-    Advancing, Context, Declaration, Element, ElementState, EvaluationMode, Output, StateDeclaration, Support,
+    Advancing, Context, Crossing, Declaration, Element, ElementState, EvaluationMode, Event, Output, StateDeclaration,
+    Support,
 };
-use crate::dynamics::{LinkKinematics, Loads};
-use crate::model::{Attachment, Model};
+use crate::dynamics::Loads;
+use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Matrix3, SpatialInertia, Symmetric3, Vector3};
-use crate::world::World;
 use mesh::LineMesh;
 use nodes::{LineNode, Nodes};
 use statics::LineStatics;
 use step::LineStep;
+use supply::Supplied;
 
 /// A line with inertia between two points on bodies or in the world.
 ///
@@ -54,6 +59,8 @@ pub struct DynamicLine<S = f64> {
     pub ends: [Attachment<S>; 2],
     /// The ground on which it can lie, at the depth of the water.
     pub ground: Option<LineGround<S>>,
+    /// Drum and sheaves from which its first part is paid out.
+    supply: Option<LineSupply<S>>,
     /// Positions of the nodes between the ends at the start, world, m, if it does not begin at rest.
     pub start: Option<Vec<Vector3<S>>>,
     /// Its elements and nodes.
@@ -70,6 +77,21 @@ pub struct DynamicLine<S = f64> {
     at_base: [S; 2],
 }
 
+/// Events of a line that is paid out, in the order of [`Supplied`].
+const EVENTS: [Event; 3] = [
+    Event { code: "hauled_in_to_end", what: "is hauled in to its end", crossing: Crossing::Falling },
+    Event {
+        code: "paid_out_to_innermost_layer",
+        what: "is paid out to the innermost layer of its drum",
+        crossing: Crossing::Falling,
+    },
+    Event {
+        code: "leaves_valid_path",
+        what: "wraps a sheave or drum beyond the valid angle, or two neighbouring places of its path overlap",
+        crossing: Crossing::Falling,
+    },
+];
+
 /// The shape of a line at rest.
 #[derive(Clone, Copy, Debug)]
 pub struct RestingLine<S> {
@@ -82,17 +104,20 @@ pub struct RestingLine<S> {
 impl<S: Scalar> DynamicLine<S> {
     /// Creates a line of these parts, from its first end, which begins at rest.
     pub fn new(name: &str, ends: [Attachment<S>; 2], parts: &[LinePart<S>]) -> Self {
-        let mesh = LineMesh::new(parts);
-        let count = mesh.nodes.len();
+        Self::with_mesh(name, ends, LineMesh::new(parts))
+    }
+
+    fn with_mesh(name: &str, ends: [Attachment<S>; 2], mesh: LineMesh<S>) -> Self {
         Self {
             name: name.to_owned(),
             ends,
             ground: None,
+            supply: None,
             start: None,
+            nodes: Nodes::new(&mesh),
+            statics: LineStatics::new(mesh.nodes.len()),
+            step: LineStep::new(&mesh),
             mesh,
-            nodes: Nodes::new(count),
-            statics: LineStatics::new(count),
-            step: LineStep::new(count),
             on_ends: S::ZERO,
             at_base: [S::ZERO; 2],
         }
@@ -104,27 +129,63 @@ impl<S: Scalar> DynamicLine<S> {
         Self { start: Some(start), ..self }
     }
 
+    /// Lets the first of these parts be paid out, over the stations of a path: its last two are the ends of the line.
+    pub fn over(name: &str, stations: &[Station<S>], drum: Option<Drum<S>>, parts: &[LinePart<S>]) -> Self {
+        let supply = LineSupply::new(stations, drum, parts[0].unstretched_length);
+        let ends = [2, 1].map(|from_last| stations[stations.len() - from_last].centre);
+        let mesh = LineMesh::new(parts).pays_out(parts[0].elements);
+        Self { supply: Some(supply), ..Self::with_mesh(name, ends, mesh) }
+    }
+
+    /// Takes the start of a run as the reference of its drum and path. Returns the path to its last end, if it has one.
+    pub fn begin_supply(&mut self, at: &Context<'_, S>) -> Option<&mut RopePath<S>> {
+        self.supply.as_mut().map(|supply| supply.begin(at))
+    }
+
+    /// Returns the fields of its ends.
+    pub fn end_fields(&self) -> [&'static str; 2] {
+        if self.supply.is_some() { ["path"; 2] } else { ["first", "second"] }
+    }
+
     /// Lets the line lie on a ground.
     pub fn on(self, ground: LineGround<S>) -> Self {
         Self { ground: Some(ground), ..self }
     }
 
-    /// Reads the motion of all nodes, and computes the forces on them and the accelerations between the ends.
+    /// Reads the motion of all nodes, and computes the forces on them and the accelerations between the ends. Returns the
+    /// supply.
     ///
     /// At rest, the nodes are where the line rests between its ends, unless the line was given another start.
-    fn evaluate(&mut self, at: &Context<'_, S>) {
-        if at.evaluation.runs() || self.start.is_some() {
-            self.put_nodes(at, at.states);
+    fn evaluate(&mut self, at: &Context<'_, S>) -> Option<Supplied<S>> {
+        let supplied = if at.evaluation.runs() || self.start.is_some() {
+            self.put_nodes(at, at.states)
         } else {
-            self.rest(at);
-        }
+            self.rest(at)
+        };
         self.nodes.stretch(&self.mesh);
-        self.on_ends = self.nodes.power_on_ends();
+        self.book_ends(supplied.is_some(), at);
         self.nodes.load(&self.mesh, self.ground.as_ref(), at);
+        supplied
     }
 
-    /// Reads the motion of the ends and of the nodes between them.
-    fn put_nodes(&mut self, at: &Context<'_, S>, states: &[S]) {
+    /// Sets the length of the first part, if it is paid out.
+    fn supply(&mut self, at: &Context<'_, S>) -> Option<Supplied<S>> {
+        let supplied = self.supply.as_mut().map(|supply| supply.now(at))?;
+        self.mesh.set_first(supplied.length);
+        Some(supplied)
+    }
+
+    /// Computes the power of the tension on the ends and on the supply.
+    fn book_ends(&mut self, is_supplied: bool, at: &Context<'_, S>) {
+        self.on_ends = self.nodes.power_on_ends([0, 1].map(|end| velocity(&self.ends[end], at)));
+        if is_supplied {
+            self.on_ends += self.nodes.draw_supply(&self.mesh, self.ground.as_ref(), at);
+        }
+    }
+
+    /// Reads the motion of the ends and of the nodes between them. Returns the supply.
+    fn put_nodes(&mut self, at: &Context<'_, S>, states: &[S]) -> Option<Supplied<S>> {
+        let supplied = self.supply(at);
         let places = self.end_places(at);
         for ((end, place), node) in self.ends.iter().zip(places).zip(self.end_nodes()) {
             self.nodes.put(node, place, velocity(end, at));
@@ -133,10 +194,15 @@ impl<S: Scalar> DynamicLine<S> {
         for (k, (x, v)) in positions.chunks_exact(3).zip(velocities.chunks_exact(3)).enumerate() {
             self.nodes.put(k + 1, Vector3::from_slice(x), Vector3::from_slice(v));
         }
+        if let Some(supplied) = &supplied {
+            self.nodes.pay_out(&self.mesh, supplied.rate);
+        }
+        supplied
     }
 
-    /// Puts the nodes where they rest between the present ends.
-    fn rest(&mut self, at: &Context<'_, S>) {
+    /// Puts the nodes where they rest between the present ends. Returns the supply.
+    fn rest(&mut self, at: &Context<'_, S>) -> Option<Supplied<S>> {
+        let supplied = self.supply(at);
         let ends = self.end_places(at);
         let Self { nodes, statics, mesh, ground, .. } = self;
         let calm = Context { evaluation: EvaluationMode::AtRest, ..*at };
@@ -144,6 +210,10 @@ impl<S: Scalar> DynamicLine<S> {
         for (node, place) in found.iter().enumerate() {
             nodes.put(node, *place, Vector3::zero());
         }
+        if supplied.is_some() {
+            nodes.pay_out(mesh, S::ZERO);
+        }
+        supplied
     }
 
     /// Returns the length without tension, m.
@@ -151,11 +221,9 @@ impl<S: Scalar> DynamicLine<S> {
         self.mesh.length
     }
 
-    /// Returns its shape at rest, for a model at these positions; NaN if none was found.
-    pub fn at_rest(&mut self, model: &Model<S>, world: &World<S>, (q, v): (&[S], &[S])) -> RestingLine<S> {
-        let mut links = LinkKinematics::new(model);
-        links.update(model, q, v);
-        self.rest(&Context::at_rest(world, model, &links, (q, v)));
+    /// Returns its shape at rest, for a model at rest; NaN if none was found.
+    pub fn at_rest(&mut self, at: &Context<'_, S>) -> RestingLine<S> {
+        self.rest(at);
         self.nodes.stretch(&self.mesh);
         let ends = self.end_nodes().map(|node| self.nodes.node(node).position);
         RestingLine { ends, strain: self.nodes.largest_strain(&self.mesh) }
@@ -204,6 +272,14 @@ impl<S: Scalar> Element<S> for DynamicLine<S> {
         let mut declared = declaration_of_line(&self.name);
         let lost = "energy that the time stepping of a line took from it";
         declared.outputs.push(Output::number("line_energy_lost_to_scheme", lost, "line", &self.name, &["J"]));
+        if self.supply.is_some() {
+            let number = |variable, what, unit| Output::number(variable, what, "line", &self.name, unit);
+            declared.outputs.extend([
+                number("line_length", "unstretched length of a line between its ends", &["m"]),
+                number("line_pay_out_rate", "rate at which the length of a line increases", &["m/s"]),
+            ]);
+            declared.events.extend(EVENTS);
+        }
         Declaration { states, keeps_states: self.start.is_some(), advances: true, ..declared }
     }
 
@@ -214,8 +290,9 @@ impl<S: Scalar> Element<S> for DynamicLine<S> {
         if let Some(start) = &self.start {
             return start.iter().zip(positions.chunks_exact_mut(3)).for_each(|(place, state)| place.write_to(state));
         }
-        self.rest(at);
+        let supplied = self.rest(at);
         let [first, last] = [0, 1].map(|end| velocity(&self.ends[end], at));
+        let first = first - self.nodes.feed().drift(0) * supplied.map_or(S::ZERO, |now| now.rate);
         let parts = (self.nodes.len() - 1) as f64;
         for (k, (x, v)) in positions.chunks_exact_mut(3).zip(velocities.chunks_exact_mut(3)).enumerate() {
             self.nodes.node(k + 1).position.write_to(x);
@@ -225,10 +302,13 @@ impl<S: Scalar> Element<S> for DynamicLine<S> {
 
     /// Adds the forces and inertias at both ends, and the power of damping and water.
     fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
-        if at.evaluation == EvaluationMode::Stepping {
-            self.evaluate_ends(at);
-        } else {
-            self.evaluate(at);
+        let stepping = at.evaluation == EvaluationMode::Stepping;
+        let supplied = if stepping { self.evaluate_ends(at) } else { self.evaluate(at) };
+        if let (Some(supplied), Some(supply)) = (&supplied, &self.supply) {
+            let feed = self.nodes.feed();
+            supply.draw(supplied, feed, self.mesh.mass_per_length(), at, loads);
+            pull_at(&self.ends[0], feed.thrust, at, loads);
+            loads.power.outside += feed.entering;
         }
         loads.power.dissipated += self.nodes.dissipated;
         loads.power.outside += self.nodes.outside;
@@ -244,23 +324,32 @@ impl<S: Scalar> Element<S> for DynamicLine<S> {
             return motions.fill(S::ZERO);
         }
         let half = motions.len() / 2;
-        motions[..half].copy_from_slice(&at.states[half..2 * half]);
-        for (k, rate) in motions[half..].chunks_exact_mut(3).enumerate() {
-            self.nodes.node(k + 1).acceleration.write_to(rate);
+        let (moves, accelerates) = motions.split_at_mut(half);
+        for (k, (x, v)) in moves.chunks_exact_mut(3).zip(accelerates.chunks_exact_mut(3)).enumerate() {
+            self.nodes.mesh_velocity(k + 1).write_to(x);
+            self.nodes.mesh_acceleration(k + 1, &self.mesh).write_to(v);
         }
     }
 
     /// Returns the energy of strain, weight and ground, and the kinetic energy of the nodes between the ends, J.
     fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
-        self.evaluate(at);
-        self.nodes.energy(&self.mesh, self.ground.as_ref(), at)
+        let supplied = self.evaluate(at);
+        let energy = self.nodes.energy(&self.mesh, self.ground.as_ref(), at);
+        let let_out = supplied.zip(self.supply.as_ref());
+        let_out.map_or(energy, |(now, supply)| energy + supply.energy(&now, self.mesh.mass_per_length(), at))
     }
 
     fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
-        self.evaluate(at);
+        let supplied = self.evaluate(at);
         let [first, last] = self.nodes.end_tensions();
         let lost = at.states[self.motions() + 1];
         out.extend([first, last, self.nodes.grounded_length(&self.mesh, self.ground.as_ref()), lost]);
+        out.extend(supplied.iter().flat_map(|now| [self.mesh.length, now.rate]));
+    }
+
+    fn event_indicators(&mut self, at: &Context<'_, S>, values: &mut [S]) {
+        let Some(now) = self.supply(at) else { return };
+        values.copy_from_slice(&[now.left, now.layers_left, now.range_left]);
     }
 
     fn draw(&mut self, at: &Context<'_, S>, points: &mut Vec<S>) {

@@ -3,7 +3,8 @@
 use super::ground::LineGround;
 use super::mesh::{LineMesh, LineMeshElement};
 use super::section::{PartMass, WetPart};
-use super::strain::{GAUSS, shapes, slopes, strained, sum};
+use super::pay_out::LineFeed;
+use super::strain::{GAUSS, Strained, shapes, slopes, strained, sum};
 use crate::elements::Context;
 use crate::elements::lines::length_and_direction;
 use crate::scalar::Scalar;
@@ -29,9 +30,11 @@ pub struct LineNode<S> {
 /// The nodes of a line, from its first end: every second one is in the middle of an element.
 #[derive(Clone, Debug)]
 pub struct Nodes<S> {
-    nodes: Vec<LineNode<S>>,
-    /// Tensions at the points of Gauss's rule, N.
-    tensions: Vec<S>,
+    pub(super) nodes: Vec<LineNode<S>>,
+    /// The line at the points of Gauss's rule.
+    pub(super) points: Vec<Strained<S>>,
+    /// Its motion along itself, as it is paid out.
+    pub(super) feed: LineFeed<S>,
     /// Working memory: positions and tangents.
     scratch: [Vec<Vector3<S>>; 2],
     /// Power that becomes heat, W.
@@ -43,14 +46,16 @@ pub struct Nodes<S> {
 }
 
 impl<S: Scalar> Nodes<S> {
-    /// Allocates the memory for this odd number of nodes.
-    pub fn new(count: usize) -> Self {
+    /// Allocates the memory for the nodes of a mesh.
+    pub fn new(mesh: &LineMesh<S>) -> Self {
+        let count = mesh.nodes.len();
         let zero = Vector3::zero();
         let mass = PartMass { across: S::ZERO, along: S::ZERO };
         let node = LineNode { position: zero, velocity: zero, tangent: zero, mass, force: zero, acceleration: zero };
         Self {
             nodes: vec![node; count],
-            tensions: Vec::with_capacity(count - 1),
+            points: Vec::with_capacity(count - 1),
+            feed: LineFeed::new(mesh),
             scratch: [Vec::with_capacity(count), vec![zero; count]],
             dissipated: S::ZERO,
             outside: S::ZERO,
@@ -68,6 +73,11 @@ impl<S: Scalar> Nodes<S> {
         &self.nodes[node]
     }
 
+    /// Returns what the line draws from its supply.
+    pub fn feed(&self) -> &LineFeed<S> {
+        &self.feed
+    }
+
     /// Sets the motion of a node.
     pub fn put(&mut self, node: usize, position: Vector3<S>, velocity: Vector3<S>) {
         let put = &mut self.nodes[node];
@@ -80,7 +90,7 @@ impl<S: Scalar> Nodes<S> {
 
     /// Adds the forces of the tension, `-T t N_i' h / 2` at each point of Gauss's rule.
     pub fn stretch(&mut self, mesh: &LineMesh<S>) {
-        self.tensions.clear();
+        self.points.clear();
         (self.dissipated, self.strain) = (S::ZERO, S::ZERO);
         for element in 0..self.nodes.len() / 2 {
             self.stretch_element(element, mesh);
@@ -107,33 +117,31 @@ impl<S: Scalar> Nodes<S> {
             }
             self.dissipated += (whole - elastic) * rate * half;
             self.strain += elastic * (ratio - S::ONE) * half * S::constant(0.5);
-            self.tensions.push(whole);
+            self.points.push(found);
         }
     }
 
-    /// Adds the forces of the tension at the ends alone, in the first and the last element. The rate of strain is that of these
-    /// velocities of the ends, if they are given.
+    /// Adds the forces of the tension at the ends alone, in the first and the last element; in all elements if the line is paid
+    /// out. The rate of strain is that of these velocities of the ends, if they are given.
     pub fn stretch_ends(&mut self, mesh: &LineMesh<S>, by_rule: [Option<Vector3<S>>; 2]) {
-        self.tensions.clear();
+        self.points.clear();
         let last = self.nodes.len() - 1;
         let velocities = [0, last].map(|end| self.nodes[end].velocity);
         for (end, velocity) in [0, last].into_iter().zip(by_rule) {
             self.nodes[end].velocity = velocity.unwrap_or(self.nodes[end].velocity);
         }
-        self.stretch_element(0, mesh);
-        if last > 2 {
-            self.stretch_element(last / 2 - 1, mesh);
+        let all = mesh.supplied > 0;
+        for element in (0..last / 2).filter(|element| all || *element == 0 || *element == last / 2 - 1) {
+            self.stretch_element(element, mesh);
         }
         (self.nodes[0].velocity, self.nodes[last].velocity) = (velocities[0], velocities[1]);
         (self.dissipated, self.outside) = (S::ZERO, S::ZERO);
     }
 
-    /// Returns the power of the forces so far on the ends, W.
-    pub fn power_on_ends(&self) -> S {
-        [0, self.nodes.len() - 1]
-            .map(|end| self.nodes[end].force.dot(self.nodes[end].velocity))
-            .into_iter()
-            .fold(S::ZERO, |sum, of_one| sum + of_one)
+    /// Returns the power of the forces so far on the ends, W, whose bodies move there with these velocities.
+    pub fn power_on_ends(&self, velocities: [Vector3<S>; 2]) -> S {
+        let [first, last] = [0, self.nodes.len() - 1].map(|end| self.nodes[end].force);
+        first.dot(velocities[0]) + last.dot(velocities[1])
     }
 
     /// Adds weight, and the forces of water and ground, to an end in this water, whose motion is that of this time earlier (s).
@@ -228,10 +236,10 @@ impl<S: Scalar> Nodes<S> {
     /// Returns the largest strain by the elastic tension; NaN if a tension is NaN.
     pub fn largest_strain(&self, mesh: &LineMesh<S>) -> S {
         let strains = self
-            .tensions
+            .points
             .iter()
             .enumerate()
-            .map(|(k, tension)| *tension / mesh.elements[k / 2].section.axial_stiffness);
+            .map(|(k, point)| point.tension[1] / mesh.elements[k / 2].section.axial_stiffness);
         strains.fold(S::ZERO, |most, strain| strain.select_less(most, || most, || strain))
     }
 

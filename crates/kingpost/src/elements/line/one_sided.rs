@@ -58,7 +58,8 @@ pub fn share_at_end<S: Scalar>(interval_s: S, tau: S) -> S {
     interval_s / (interval_s + tau * S::constant(4.0))
 }
 
-fn positive<S: Scalar>(x: S) -> S {
+/// Returns max(x, 0).
+pub fn positive<S: Scalar>(x: S) -> S {
     x.select_below(0.0, || S::ZERO, || x)
 }
 

@@ -10,14 +10,17 @@
 //! F is the mean force of the interval. Tension and ground have discrete gradients (Simo & Tarnow, *ZAMP* 43, 1992; Gonzalez,
 //! *J. Nonlinear Sci.* 6, 1996): their work is the change of their energy, so that the rule neither gains nor loses energy,
 //! at any H. Tangents, added masses and the water's motion are those of the middle of the step, predicted with `v_0`. The
-//! rule has second order. Newton's method solves for `x_1`, with exact derivatives.
+//! rule has second order. Newton's method solves for `x_1`, with exact derivatives. The motion of the material through the
+//! nodes (`pay_out.rs`) changes `x_1 - x_0` by c (L_1 - L_0), and the force by a part that its derivatives leave out: it is
+//! smaller by the speed of paying out over that of the waves in the line.
 
 use super::blocks::Blocks;
 use super::descent::Descent;
 use super::ground::LineGround;
 use super::mesh::LineMesh;
 use super::nodes::{Nodes, tangents};
-use super::one_sided::share_at_end;
+use super::one_sided::{positive, share_at_end};
+use super::pay_out::write_drifts;
 use super::section::WetPart;
 use super::strain::{gauss, slopes, sum};
 use crate::dynamics::Clock;
@@ -59,8 +62,10 @@ struct BaseStretch<S> {
     way: Vector3<S>,
     /// Length of `way`: the stretch ratio.
     ratio: S,
-    /// Rate of `way`, 1/s.
+    /// Rate of `way` of the material, 1/s.
     rate: Vector3<S>,
+    /// Change of `way` at a point that moves along the material, per length that is paid out.
+    drift: Vector3<S>,
 }
 
 /// Energy of a line over a part of a step, J.
@@ -97,11 +102,18 @@ pub struct LineStep<S> {
     descent: Descent<S>,
     /// Start and middle of the step, and time to the last point, s.
     clock: [f64; 3],
+    /// Drifts of the nodes in the middle of the step, if the line is paid out.
+    drifts: Vec<Vector3<S>>,
+    /// Length of the first part at the base, and what is paid out from there to the last point, m.
+    paid: [S; 2],
+    /// Energy of the line without its ends at the base, J.
+    energy: S,
 }
 
 impl<S: Scalar> LineStep<S> {
-    /// Allocates the memory for this number of nodes.
-    pub fn new(count: usize) -> Self {
+    /// Allocates the memory for the nodes of a mesh.
+    pub fn new(mesh: &LineMesh<S>) -> Self {
+        let count = mesh.nodes.len();
         let (zero, none) = (Vector3::zero(), Matrix3::zero());
         let node = BaseNode {
             position: zero,
@@ -114,41 +126,107 @@ impl<S: Scalar> LineStep<S> {
         };
         Self {
             base: vec![node; count],
-            stretched: vec![BaseStretch { way: zero, ratio: S::ZERO, rate: zero }; count - 1],
+            stretched: vec![BaseStretch { way: zero, ratio: S::ZERO, rate: zero, drift: zero }; count - 1],
             next: vec![zero; count],
             tangents: vec![zero; count],
             blocks: Blocks::new(count),
             descent: Descent::new(count),
             clock: [0.0; 3],
+            drifts: vec![zero; 2 * mesh.supplied],
+            paid: [S::ZERO; 2],
+            energy: S::ZERO,
         }
     }
 
-    /// Begins a step at the motion of these nodes; the context is that of its start.
-    pub fn begin(&mut self, nodes: &Nodes<S>, mesh: &LineMesh<S>, at: &Context<'_, S>) {
+    /// Begins a step at the motion of these nodes, paying out at this rate (m/s); the context is that of its start. Leaves the
+    /// first part of the mesh with its length in the middle of the step.
+    pub fn begin(
+        &mut self,
+        nodes: &Nodes<S>,
+        mesh: &mut LineMesh<S>,
+        (ground, rate): (Option<&LineGround<S>>, S),
+        at: &Context<'_, S>,
+    ) {
         let Clock { time_s, middle_s } = at.clock;
         let half = S::constant(middle_s - time_s);
-        self.clock = [time_s, middle_s, 0.0];
+        (self.clock, self.paid) = ([time_s, middle_s, 0.0], [mesh.first(), S::ZERO]);
         for (i, (base, next)) in self.base.iter_mut().zip(&mut self.next).enumerate() {
             let node = nodes.node(i);
-            (base.position, base.velocity, base.length) = (node.position, node.velocity, mesh.nodes[i].length);
-            *next = node.position + node.velocity * half;
-        }
-        tangents(&self.next, &mut self.tangents);
-        let mut at = *at;
-        at.clock.time_s = middle_s;
-        for (i, (base, part)) in self.base.iter_mut().zip(&mesh.nodes).enumerate() {
-            let (place, tangent, dry) = (self.next[i], self.tangents[i], part.dry_mass());
-            base.wet = part.in_water(&at, place, tangent);
-            base.added = base.wet.added.about(tangent);
-            base.mass = base.added + Matrix3::identity().scaled(dry);
-            base.weight = dry * at.world.gravity;
+            (base.position, base.velocity) = (node.position, node.velocity);
+            *next = node.position + nodes.mesh_velocity(i) * half;
         }
         for (k, stretched) in self.stretched.iter_mut().enumerate() {
             let slopes = slopes(gauss(k), mesh.elements[k / 2].length);
             let way = sum(&slopes, &[0, 1, 2].map(|i| self.base[k / 2 * 2 + i].position));
             let rate = sum(&slopes, &[0, 1, 2].map(|i| self.base[k / 2 * 2 + i].velocity));
-            *stretched = BaseStretch { way, ratio: way.norm(), rate };
+            *stretched = BaseStretch { way, ratio: way.norm(), rate, drift: Vector3::zero() };
         }
+        self.energy = self.energy_of(mesh, ground, at.world.gravity, |i| {
+            let BaseNode { position, velocity, .. } = self.base[i];
+            [position, velocity]
+        });
+        if mesh.supplied > 0 {
+            mesh.set_first(mesh.first() + rate * half);
+            self.drift(mesh);
+        }
+        self.load_base(mesh, at);
+    }
+
+    /// Computes the drifts in the middle of the step.
+    fn drift(&mut self, mesh: &LineMesh<S>) {
+        let Self { next, drifts, stretched, .. } = self;
+        write_drifts(mesh, |node| next[node], drifts);
+        let drift = |node: usize| drifts.get(node).copied().unwrap_or(Vector3::zero());
+        for (k, point) in stretched[..2 * mesh.supplied].iter_mut().enumerate() {
+            let slopes = slopes(gauss(k), mesh.elements[k / 2].length);
+            let [way, change] = [
+                sum(&slopes, &[0, 1, 2].map(|i| next[k / 2 * 2 + i])),
+                sum(&slopes, &[0, 1, 2].map(|i| drift(k / 2 * 2 + i))),
+            ];
+            point.drift = change - way * (S::ONE / mesh.first());
+        }
+    }
+
+    /// Computes masses and water of the nodes in the middle of the step.
+    fn load_base(&mut self, mesh: &LineMesh<S>, at: &Context<'_, S>) {
+        tangents(&self.next, &mut self.tangents);
+        let mut at = *at;
+        at.clock.time_s = at.clock.middle_s;
+        for (i, (base, part)) in self.base.iter_mut().zip(&mesh.nodes).enumerate() {
+            let (place, tangent, dry) = (self.next[i], self.tangents[i], part.dry_mass());
+            base.length = part.length;
+            base.wet = part.in_water(&at, place, tangent);
+            base.added = base.wet.added.about(tangent);
+            base.mass = base.added + Matrix3::identity().scaled(dry);
+            base.weight = dry * at.world.gravity;
+        }
+    }
+
+    /// Returns the energy of strain, and that of the nodes between the ends, with these positions and velocities, J.
+    fn energy_of(
+        &self,
+        mesh: &LineMesh<S>,
+        ground: Option<&LineGround<S>>,
+        gravity: S,
+        motion: impl Fn(usize) -> [Vector3<S>; 2],
+    ) -> S {
+        let half = S::constant(0.5);
+        let mut energy = S::ZERO;
+        for k in 0..self.stretched.len() {
+            let slopes = slopes(gauss(k), mesh.elements[k / 2].length);
+            let way = sum(&slopes, &[0, 1, 2].map(|i| motion(k / 2 * 2 + i)[0]));
+            let strain = positive(way.norm() - S::ONE);
+            energy += mesh.elements[k / 2].section.axial_stiffness
+                * (strain * strain * half * half * mesh.elements[k / 2].length);
+        }
+        for i in 1..self.base.len() - 1 {
+            let ([position, velocity], part) = (motion(i), &mesh.nodes[i]);
+            energy += part.dry_mass() * (gravity * position[2] + velocity.norm_squared() * half);
+            if let Some(ground) = ground {
+                energy += ground.held_per_length(-ground.depth - position[2])[1] * part.length;
+            }
+        }
+        energy
     }
 
     /// Returns the water about a node, and the time from its motion to a time, s.
@@ -156,7 +234,7 @@ impl<S: Scalar> LineStep<S> {
         (&self.base[node].wet, time_s - self.clock[1])
     }
 
-    /// Moves the nodes to a time, at which the ends are at these positions.
+    /// Moves the nodes to a time, at which the ends are at these positions and the first part has its length in the mesh.
     ///
     /// # Errors
     /// The last move of the iteration, m, if it does not converge.
@@ -168,6 +246,7 @@ impl<S: Scalar> LineStep<S> {
         time_s: f64,
     ) -> Result<(), f64> {
         let interval_s = time_s - self.clock[0];
+        self.paid[1] = mesh.first() - self.paid[0];
         self.predict(interval_s, ends);
         let limits = [CONVERGED, LONGEST_MOVE].map(|share| mesh.shortest() * S::constant(share));
         self.descent.begin();
@@ -206,13 +285,24 @@ impl<S: Scalar> LineStep<S> {
         for i in 1..self.base.len() - 1 {
             let NodeLoads { force, slope, .. } = self.loads(i, ground, interval);
             let inertia = self.base[i].mass.scaled(two * per_s * per_s);
-            let balance = force - inertia * (self.way(i) - self.base[i].velocity * interval);
+            let mut balance = force - inertia * (self.way(i) - self.base[i].velocity * interval);
+            if i < self.drifts.len() {
+                balance += self.base[i].mass * self.convected(i, mesh, per_s);
+            }
             self.blocks.add(i, inertia + slope, balance);
         }
     }
 
+    /// Returns the way of the material at a node, m: without the motion of the node along the line.
     fn way(&self, node: usize) -> Vector3<S> {
-        self.next[node] - self.base[node].position
+        let way = self.next[node] - self.base[node].position;
+        self.drifts.get(node).map_or(way, |drift| way - *drift * self.paid[1])
+    }
+
+    /// Returns the mean of `xi (dv/ds) L'` at a node of the first part, m/s^2.
+    fn convected(&self, node: usize, mesh: &LineMesh<S>, per_s: S) -> Vector3<S> {
+        let per_length = S::constant(mesh.nodes[node].share) / mesh.elements[node / 2].length;
+        (self.way(node - 1) - self.way(node + 1)) * (per_length * per_s * per_s * self.paid[1])
     }
 
     /// Returns the slopes of the shape functions at a point of Gauss's rule, and the derivative of the position there.
@@ -224,21 +314,23 @@ impl<S: Scalar> LineStep<S> {
     /// Returns the direction of the mean tension at a point of Gauss's rule, its elastic and its whole value (N), and the
     /// derivative of the force along the derivative of the position.
     fn pull(&self, k: usize, mesh: &LineMesh<S>, interval: S) -> (Vector3<S>, [S; 2], Matrix3<S>) {
-        let (BaseStretch { way: before, ratio: ratio_before, rate: rate_before }, per_s) =
+        let (BaseStretch { way: before, ratio: ratio_before, rate: rate_before, drift }, per_s) =
             (self.stretched[k], S::ONE / interval);
         let section = &mesh.elements[k / 2].section;
         let (_, after) = self.stretched_to(k, mesh);
         let (ratio, tangent) = length_and_direction(after);
         let share = share_at_end(interval, section.damping_time);
         // The rate at the end by the midpoint rule, and its part along the line.
-        let at_end = (after - before) * (per_s + per_s) - rate_before;
-        let stretches = tangent.dot(at_end);
-        let rate = (ratio - ratio_before) * per_s * (S::ONE - share) + stretches * share;
-        let (tension, [rise, per_rate]) = section.mean_tension([ratio_before, ratio], rate);
         let sum = ratio_before + ratio;
         let least = |ratio: S| ratio.select_below(LEAST_RATIO, || S::constant(LEAST_RATIO), || ratio);
         let per_sum = S::ONE / least(sum);
         let direction = (before + after) * per_sum;
+        let drifted = drift * self.paid[1];
+        let at_end = (after - before - drifted) * (per_s + per_s) - rate_before;
+        let stretches = tangent.dot(at_end);
+        let mean = (ratio - ratio_before - direction.dot(drifted)) * per_s;
+        let rate = mean * (S::ONE - share) + stretches * share;
+        let (tension, [rise, per_rate]) = section.mean_tension([ratio_before, ratio], rate);
         let across = Matrix3::identity() - Matrix3::outer(direction, tangent);
         let turns = (at_end - tangent * stretches) * (per_rate * share / least(ratio));
         let along = tangent * (rise + per_rate * (S::ONE + share) * per_s) + turns;
@@ -269,28 +361,33 @@ impl<S: Scalar> LineStep<S> {
         loads
     }
 
-    /// Returns the energy of the line over the interval to the last point.
-    pub fn booked(&self, mesh: &LineMesh<S>, ground: Option<&LineGround<S>>) -> Booked<S> {
+    /// Returns the energy of the line over the interval to the last point: its ends get what its energy loses, without heat and
+    /// with the work of the water.
+    pub fn booked(&self, mesh: &LineMesh<S>, ground: Option<&LineGround<S>>, gravity: S) -> Booked<S> {
         let interval = S::constant(self.clock[2]);
         let mut booked = Booked { dissipated: S::ZERO, outside: S::ZERO, on_ends: S::ZERO };
-        let end = self.base.len() - 1;
         for k in 0..self.stretched.len() {
+            let BaseStretch { ratio, drift, .. } = self.stretched[k];
             let half = mesh.elements[k / 2].length * S::constant(0.5);
-            let (slopes, after) = self.stretched_to(k, mesh);
+            let (_, after) = self.stretched_to(k, mesh);
             let (direction, [elastic, whole], _) = self.pull(k, mesh, interval);
-            booked.dissipated += (whole - elastic) * (after.norm() - self.stretched[k].ratio) * half;
-            for (slope, node) in slopes.iter().zip(k / 2 * 2..).filter(|(_, node)| *node == 0 || *node == end) {
-                booked.on_ends -= direction.dot(self.way(node)) * (whole * half * *slope);
-            }
+            let lengthens = after.norm() - ratio - direction.dot(drift * self.paid[1]);
+            booked.dissipated += (whole - elastic) * lengthens * half;
         }
-        for i in 1..end {
+        for i in 1..self.base.len() - 1 {
             let NodeLoads { water, heat: [of_drag, of_ground], .. } = self.loads(i, ground, interval);
-            let acceleration = (self.velocity(i) - self.base[i].velocity) * (S::ONE / interval);
+            let mut acceleration = (self.velocity(i) - self.base[i].velocity) * (S::ONE / interval);
+            if i < self.drifts.len() {
+                acceleration -= self.convected(i, mesh, S::ONE / interval);
+            }
             // The water's part of the inertia is outside of the line.
             let of_water = water - self.base[i].added * acceleration;
             booked.dissipated += of_drag + of_ground;
             booked.outside += of_water.dot(self.way(i)) + of_drag;
         }
+        let motion = |i: usize| [self.next[i], self.velocity(i)];
+        let change = self.energy_of(mesh, ground, gravity, motion) - self.energy;
+        booked.on_ends = booked.outside - booked.dissipated - change;
         booked
     }
 

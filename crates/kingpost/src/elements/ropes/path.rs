@@ -25,9 +25,6 @@ use core::f64::consts::FRAC_PI_2;
 /// Largest wrap angle from the middle of its range, rad: 175 degrees.
 const FARTHEST: f64 = 175.0 * core::f64::consts::PI / 180.0;
 
-/// Smoothing speed of the sign change of friction, for the rope's speed over a sheave or on a drum, m/s.
-const SMOOTHING_M_S: f64 = 0.01;
-
 /// The stations of a rope in order, with working memory for their evaluation.
 #[derive(Clone, Debug)]
 pub struct RopePath<S = f64> {
@@ -305,7 +302,7 @@ impl<S: Scalar> RopePath<S> {
     /// before it lengthen; all legs together lengthen at `stretch_rate`, m/s, faster than the drum pays out. Friction
     /// therefore never adds energy. Returns the tension at the first end, N, and the power given to the bodies, W.
     pub fn pull(&self, tension: S, stretch_rate: S, hand: impl FnMut(&Station<S>, &Wrench<S>)) -> [S; 2] {
-        self.hand_on(tension, stretch_rate, |round, speed| round.efficiency.ratio(speed, SMOOTHING_M_S), hand)
+        self.hand_on(tension, stretch_rate, |round, speed| round.efficiency.of_rope(speed), hand)
     }
 
     /// Applies a tension at the last end to the bodies like [`pull`](Self::pull), without friction.
@@ -338,7 +335,7 @@ impl<S: Scalar> RopePath<S> {
 
     /// Returns the ratio of the force that the drum holds to the tension of the rope, at a pay-out speed, m/s.
     pub(super) fn ratio_at_drum(&self, paid_out: S) -> S {
-        self.stations[0].round.map_or(S::ONE, |drum| drum.efficiency.ratio(paid_out, SMOOTHING_M_S))
+        self.stations[0].round.map_or(S::ONE, |drum| drum.efficiency.of_rope(paid_out))
     }
 
     /// Returns the straight parts of the legs at the positions of the last [`extent`](Self::extent): from the contact

@@ -6,6 +6,9 @@ use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
 
+/// Smoothing speed of the sign change of friction, for the rope's speed over a sheave or on a drum, m/s.
+const SMOOTHING_M_S: f64 = 0.01;
+
 /// A place on a rope's path.
 #[derive(Clone, Debug)]
 pub struct Station<S = f64> {
@@ -38,6 +41,11 @@ pub struct Efficiency<S = f64> {
 }
 
 impl<S: Scalar> Efficiency<S> {
+    /// Returns the [ratio](Self::ratio) of tensions for the speed of a rope, smoothed about rest.
+    pub fn of_rope(&self, speed: S) -> S {
+        self.ratio(speed, SMOOTHING_M_S)
+    }
+
     /// Returns the tension before a sheave over the tension after it; `speed` is the speed of the rope towards its last
     /// end, m/s. The ratio is smooth, is 1 at rest, and never adds energy.
     pub fn ratio(&self, speed: S, smoothing_m_s: f64) -> S {
@@ -82,7 +90,7 @@ impl<S: Scalar> Station<S> {
 
     /// Returns the body on which a wrench at the station acts, and the wrench in the body's axes about its centre of
     /// mass; `None` for a station in the world.
-    pub(super) fn on_body(&self, at: &Context<'_, S>, in_world: &Wrench<S>) -> Option<(usize, Wrench<S>)> {
+    pub(in crate::elements) fn on_body(&self, at: &Context<'_, S>, in_world: &Wrench<S>) -> Option<(usize, Wrench<S>)> {
         let body = self.centre.body?;
         let (force, moment) = (self.to_body(at, in_world.force), self.to_body(at, in_world.moment));
         Some((body, Wrench { moment: moment + self.centre.in_body.position.cross(force), force }))

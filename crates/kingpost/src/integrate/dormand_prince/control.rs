@@ -112,8 +112,14 @@ impl Controller {
 }
 
 /// Returns the largest ratio of a coordinate's or a rate's error to its tolerance, over all lanes; NaN if an
-/// entry is NaN. `v` contains the rates at the start; the stages are at the end.
-pub(super) fn error<S: Scalar>(stages: &Stages<S>, tolerances: Tolerances, h: f64, v: &[S]) -> f64 {
+/// entry is NaN. `v` contains the rates at the start, `motions` the entries of s that count; the stages are at the end.
+pub(super) fn error<S: Scalar>(
+    stages: &Stages<S>,
+    tolerances: Tolerances,
+    h: f64,
+    v: &[S],
+    motions: &[usize],
+) -> f64 {
     let size = |x: S| x.select_below(0.0, || -x, || x);
     let larger = |a: S, b: S| a.select_less(b, || b, || a);
     let (absolute, relative) = (S::constant(tolerances.absolute), S::constant(tolerances.relative));
@@ -134,6 +140,15 @@ pub(super) fn error<S: Scalar>(stages: &Stages<S>, tolerances: Tolerances, h: f6
             return f64::NAN;
         }
         worst = worst.max(of_position).max(of_rate);
+    }
+    for &i in motions {
+        let weighted = ERROR.iter().zip(&stages.rates);
+        let error = weighted.fold(S::ZERO, |sum, (weight, rates)| sum + S::constant(h * weight) * rates.parts()[2][i]);
+        let of_motion = over(error, size(stages.place.parts()[2][i]));
+        if of_motion.is_nan() {
+            return f64::NAN;
+        }
+        worst = worst.max(of_motion);
     }
     worst
 }

@@ -51,7 +51,7 @@ const HEAD: usize = 4;
 /// next edge. It continues in the next interval unless the state was changed, by a lever or from outside;
 /// then the scheme restarts. Loops are closed at the end of each inner step, and its last stage is then
 /// evaluated again. The state's memory contains the inner step, so a run from a snapshot is bitwise
-/// identical. Extra states have the same weights; they are not part of the error.
+/// identical. Extra states have the same weights; of them only [motions](System::motions) are part of the error.
 #[derive(Clone, Debug)]
 pub struct DormandPrince<S = f64> {
     controller: Controller,
@@ -169,7 +169,7 @@ impl<S: Scalar> DormandPrince<S> {
             let base = Stage { time_s: start_s, interval, q, v, s, d: &state.d, m: &state.m };
             stages.stand_on(base);
             stages.go_on(system, base)?;
-            let error = error(stages, controller.tolerances, h, v);
+            let error = error(stages, controller.tolerances, h, v, system.motions());
             if controller.accepts(interval, error)? {
                 *inner = interval;
                 system.accept();

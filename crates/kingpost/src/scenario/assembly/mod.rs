@@ -70,6 +70,7 @@ pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
     loops::close(scenario, &mut setup)?;
     cylinders::begin(&mut setup)?;
     ropes_at_start::begin(&mut setup)?;
+    line::begin(&mut setup)?;
     contacts::begin(&mut setup)?;
     capacity::check(scenario, &setup)?;
     equilibrium::settle(scenario, &mut setup)?;
@@ -90,6 +91,7 @@ pub fn assemble<S: Quantity>(scenario: &Scenario<S>, alone: &[&Setup]) -> Result
     loops::close(scenario, &mut setup)?;
     cylinders::begin(&mut setup)?;
     ropes_at_start::begin(&mut setup)?;
+    line::begin(&mut setup)?;
     contacts::begin(&mut setup)?;
     if scenario.simulation.begin_at_equilibrium {
         equilibrium::follow(alone, &mut setup)?;
@@ -125,7 +127,6 @@ fn open<S: Quantity>(scenario: &Scenario<S>) -> Result<Setup<S>, FieldError> {
     operation::add(scenario, &mut setup, controllers)?;
     setup.limits = limits::of(scenario, &setup)?;
     lines::check_start(&setup)?;
-    line::check_start(&setup)?;
     Ok(setup)
 }
 

@@ -38,13 +38,17 @@ pub fn begin<S: Quantity>(setup: &mut Setup<S>) -> Result<(), FieldError> {
         of_kind_mut::<S, HeaveCompensation<S>>(elements).for_each(|controller| controller.hoist.begin(at));
         of_kind_mut::<S, Rope<S>>(elements).try_for_each(|rope| begin_one(rope, at))?;
         of_kind_mut::<S, TuggerLine<S>>(elements).try_for_each(|line| {
-            let of = format!("forces.{}.tugger_line", line.name);
-            check_apart(&mut line.path, at, &of)?;
             line.path.begin(at);
-            check_length(&mut line.path, at, &of)?;
-            check_sides(&mut line.path, &of)
+            check_path(&mut line.path, at, &format!("forces.{}.tugger_line", line.name))
         })
     })
+}
+
+/// Checks a path at the start of a run: its stations, its length, and the sides on which it touches sheaves.
+pub(crate) fn check_path<S: Quantity>(path: &mut RopePath<S>, at: &Context<'_, S>, of: &str) -> Result<(), FieldError> {
+    check_apart(path, at, of)?;
+    check_length(path, at, of)?;
+    check_sides(path, of)
 }
 
 fn begin_one<S: Quantity>(rope: &mut Rope<S>, at: &Context<'_, S>) -> Result<(), FieldError> {

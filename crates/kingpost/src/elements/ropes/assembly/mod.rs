@@ -174,13 +174,14 @@ fn tugger<S: Quantity>(
 }
 
 /// A path with its stations.
-struct Laid<S> {
+pub(crate) struct Laid<S> {
     /// `None` if a body does not exist.
-    stations: Option<Vec<Station<S>>>,
-    drum: Option<Drum<S>>,
+    pub stations: Option<Vec<Station<S>>>,
+    pub drum: Option<Drum<S>>,
 }
 
-fn lay<S: Quantity>(
+/// Returns the stations of a path; `of` is the field that has it.
+pub(crate) fn lay<S: Quantity>(
     scenario: &Scenario<S>,
     of: &str,
     path: &[RopeStation<S>],

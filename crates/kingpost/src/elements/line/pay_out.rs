@@ -1,0 +1,155 @@
+//! A line whose first part is paid out and hauled in at its first end: its material moves through its nodes.
+//!
+//! The nodes of the first part stay at the same shares of its length L (an arbitrary Lagrangian-Eulerian mesh: Donea et al.,
+//! *Encyclopedia of Computational Mechanics*, 2004, ch. 14). With the unstretched length s from the end of the part, the share
+//! `xi = s / L` and the velocity v of the material,
+//!
+//! ```text
+//! x' = v + c L',      v' = a + xi (dv/ds) L',      c = xi dx/ds
+//! ```
+//!
+//! where a is the acceleration of the material by the forces on it. The line pulls material from its supply with the force
+//! along L at which energy is conserved by the equations of the nodes, with the conservative forces F, the strain energy W,
+//! the mass m(L), weight and ground in V, and velocities w relative to the first end:
+//!
+//! ```text
+//! Q = sum F . c - dV/dL - sum (m xi w . dv/ds + m_L w^2 / 2),      V = W + sum m g z + ...
+//! ```
+//!
+//! In the limit of short elements it is `T (1 + e) - W_L - mu (g z + w^2 / 2)` at the first end: a part of the tension stretches
+//! what comes out (compare `ropes/mod.rs`). The material leaves the first end with its velocity there plus w, and pushes it with
+//! the thrust `-mu L' w`.
+
+use super::ground::LineGround;
+use super::mesh::LineMesh;
+use super::nodes::Nodes;
+use super::strain::{gauss, slopes, sum};
+use crate::elements::Context;
+use crate::scalar::Scalar;
+use crate::spatial::Vector3;
+
+/// The motion of a line along itself, and the force on its supply.
+#[derive(Clone, Debug)]
+pub struct LineFeed<S> {
+    /// c at the nodes of the first part, without that at its end, where it is zero.
+    drifts: Vec<Vector3<S>>,
+    /// L', m/s.
+    rate: S,
+    /// Velocity of the body at the first end, world, m/s.
+    tip: Vector3<S>,
+    /// Q of strain and of the nodes between the ends, N; without the weight of the last node.
+    pub force: S,
+    /// Q of the weight of the last node, N.
+    pub of_end: S,
+    /// Thrust on the first end, world, N.
+    pub thrust: Vector3<S>,
+    /// Kinetic energy of the material that comes in with the velocity of the first end, W.
+    pub entering: S,
+}
+
+impl<S: Scalar> LineFeed<S> {
+    /// Allocates the memory for the nodes of a mesh.
+    pub fn new(mesh: &LineMesh<S>) -> Self {
+        let zero = Vector3::zero();
+        let drifts = vec![zero; 2 * mesh.supplied];
+        let [rate, force, of_end, entering] = [S::ZERO; 4];
+        Self { drifts, rate, tip: zero, force, of_end, thrust: zero, entering }
+    }
+
+    /// Returns c at a node.
+    pub fn drift(&self, node: usize) -> Vector3<S> {
+        self.drifts.get(node).copied().unwrap_or(Vector3::zero())
+    }
+}
+
+/// Writes c at the nodes of the first part of a line at these positions.
+pub fn write_drifts<S: Scalar>(mesh: &LineMesh<S>, position: impl Fn(usize) -> Vector3<S>, out: &mut [Vector3<S>]) {
+    for (node, drift) in out.iter_mut().enumerate() {
+        let length = mesh.elements[node / 2].length;
+        let towards_first = match node {
+            0 => -sum(&slopes(-1.0, length), &[0, 1, 2].map(&position)),
+            _ => (position(node - 1) - position(node + 1)) * (S::ONE / length),
+        };
+        *drift = towards_first * S::constant(mesh.nodes[node].share);
+    }
+}
+
+impl<S: Scalar> Nodes<S> {
+    /// Sets the rate at which the first part is paid out, m/s, with all nodes put; the first node gets the velocity of the
+    /// material.
+    pub fn pay_out(&mut self, mesh: &LineMesh<S>, rate: S) {
+        let Self { nodes, feed, .. } = self;
+        write_drifts(mesh, |node| nodes[node].position, &mut feed.drifts);
+        (feed.rate, feed.tip) = (rate, nodes[0].velocity);
+        nodes[0].velocity = feed.tip - feed.drifts[0] * rate;
+    }
+
+    /// Returns the velocity of a node, world, m/s: that of the material with its motion along the line.
+    pub fn mesh_velocity(&self, node: usize) -> Vector3<S> {
+        self.nodes[node].velocity + self.feed.drift(node) * self.feed.rate
+    }
+
+    /// Returns the rate of the velocity of a node between the ends, world, m/s^2.
+    pub fn mesh_acceleration(&self, node: usize, mesh: &LineMesh<S>) -> Vector3<S> {
+        self.nodes[node].acceleration + self.convected(node, mesh) * self.feed.rate
+    }
+
+    /// Returns `xi dv/ds` at a node between the ends, 1/s.
+    fn convected(&self, node: usize, mesh: &LineMesh<S>) -> Vector3<S> {
+        if node >= 2 * mesh.supplied {
+            return Vector3::zero();
+        }
+        let per_length = S::constant(mesh.nodes[node].share) / mesh.elements[node / 2].length;
+        (self.nodes[node - 1].velocity - self.nodes[node + 1].velocity) * per_length
+    }
+
+    /// Computes the force on the supply and the thrust, after the line is stretched. Returns their power, W,
+    /// without that of the material that comes in.
+    pub fn draw_supply(&mut self, mesh: &LineMesh<S>, ground: Option<&LineGround<S>>, at: &Context<'_, S>) -> S {
+        let strained = self.drawn_by_strain(mesh);
+        let (mut force, mut momentum, mut grown) = (strained, Vector3::zero(), S::ZERO);
+        let (half, last) = (S::constant(0.5), self.nodes.len() - 1);
+        for node in 1..=2 * mesh.supplied {
+            let (part, place) = (&mesh.nodes[node], self.nodes[node].position);
+            let (mass, growth) = (part.dry_mass(), mesh.mass_per_length() * S::constant(part.growth));
+            if node == last {
+                self.feed.of_end = -(growth * at.world.gravity * place[2]);
+                break;
+            }
+            let drift = self.feed.drift(node);
+            force -= (mass * drift[2] + growth * place[2]) * at.world.gravity;
+            if let Some(ground) = ground {
+                let [support, energy] = ground.held_per_length(-ground.depth - place[2]);
+                force += support * part.length * drift[2] - energy * S::constant(part.growth);
+            }
+            let (convected, own) = (self.convected(node, mesh), self.nodes[node].velocity);
+            let relative = own - self.feed.tip;
+            force -= mass * relative.dot(convected) + growth * half * relative.norm_squared();
+            momentum += convected * mass + own * growth;
+            grown += growth;
+        }
+        let LineFeed { rate, tip, .. } = self.feed;
+        let thrust = (tip * grown - momentum) * rate;
+        (self.feed.force, self.feed.thrust) = (force, thrust);
+        self.feed.entering = grown * half * tip.norm_squared() * rate;
+        force * rate + thrust.dot(tip) - self.feed.entering
+    }
+
+    /// Returns Q of the strain and of its damping, N.
+    fn drawn_by_strain(&self, mesh: &LineMesh<S>) -> S {
+        let half = S::constant(0.5);
+        let per_length = half / mesh.first();
+        let mut force = S::ZERO;
+        for (k, point) in self.points[..2 * mesh.supplied].iter().enumerate() {
+            let length = mesh.elements[k / 2].length;
+            let ([elastic, whole], [ratio, _]) = (point.tension, point.ratio);
+            for (slope, node) in slopes(gauss(k), length).iter().zip(k / 2 * 2..) {
+                let pull = if node == 0 { elastic - whole } else { elastic };
+                force -= pull * *slope * length * half * point.tangent.dot(self.feed.drift(node));
+            }
+            let strain_energy = elastic * (ratio - S::ONE) * half;
+            force += length * per_length * (elastic * ratio - strain_energy);
+        }
+        force
+    }
+}
