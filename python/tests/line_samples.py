@@ -52,6 +52,69 @@ CHAIN: dict[str, Any] = {
 }
 
 
+PAID_OUT: dict[str, Any] = {
+    **CHAIN,
+    "title": "A load in the sea on a wire from a drum",
+    "bodies": {
+        "drum": {
+            "mass_t": 10,
+            "shape": {"cylinder": {"radius_m": 1, "length_m": 2, "axis": "y"}},
+            "joint": {
+                "revolute": {
+                    "name": "winch",
+                    "axis": [0, 1, 0],
+                    "position_m": [-20, 0, 10],
+                    "mode": {
+                        "prescribed": {
+                            "rate_rad_s": 1,
+                            "history": "pulse",
+                            "pulse": {"rise_s": 2, "hold_s": 8},
+                        }
+                    },
+                }
+            },
+        },
+        "load": {
+            "mass_t": 300,
+            "shape": {"sphere": {"radius_m": 0.1}},
+            "joint": {"prismatic": {"name": "lift", "axis": [0, 0, 1], "position_m": [0, 0, -150]}},
+        },
+    },
+    "forces": {
+        "gravity": {"gravity": {}},
+        "chain": {
+            "line": {
+                "path": [
+                    {"drum": {"joint": "winch", "radius_m": 1}},
+                    {
+                        "sheave": {
+                            "body": "world",
+                            "position_m": [0, 0, 20],
+                            "radius_m": 0.5,
+                            "axis": [0, 1, 0],
+                            "efficiency_hoisting": 0.97,
+                            "efficiency_lowering": 0.97,
+                        }
+                    },
+                    {"point": {"body": "load", "position_m": [0, 0, 0]}},
+                ],
+                "sections": [
+                    {
+                        **SECTION,
+                        "unstretched_length_m": 169.7,
+                        "elements": 4,
+                        "mass_kg_per_m": 30,
+                        "diameter_m": 0.07,
+                        "axial_stiffness_N": 8e8,
+                    }
+                ],
+            }
+        },
+    },
+}
+"""A wire of 170 m in waves, paid out at 1 m/s over a drum and a sheave with friction."""
+
+
 def chain(**line: Any) -> dict[str, Any]:
     """The chain, with these fields of the line instead; None leaves a field out."""
     given = copy.deepcopy(CHAIN)

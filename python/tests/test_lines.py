@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import json
 from pathlib import Path
 from typing import Any
@@ -9,7 +10,7 @@ from typing import Any
 import kingpost
 import numpy as np
 import pytest
-from line_samples import CHAIN, chain, with_section
+from line_samples import CHAIN, PAID_OUT, chain, with_section
 
 LENGTH = "forces.chain.line.sections.0.unstretched_length_m"
 STIFFNESS = "forces.chain.line.sections.0.axial_stiffness_N"
@@ -29,8 +30,14 @@ def scenario(tmp_path_factory: pytest.TempPathFactory) -> kingpost.Scenario:
     return kingpost.load(written(tmp_path_factory.mktemp("lines"), CHAIN))
 
 
-def test_each_run_of_a_batch_has_the_bits_of_the_run_alone(scenario):
-    lengths = [848, 850, 851, 855, 840]
+@pytest.fixture(scope="module", params=[CHAIN, PAID_OUT], ids=["chain", "paid_out"])
+def either(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> kingpost.Scenario:
+    return kingpost.load(written(tmp_path_factory.mktemp("lines"), request.param))
+
+
+def test_each_run_of_a_batch_has_the_bits_of_the_run_alone(either):
+    scenario, at_first = either, _value(either.resolved, LENGTH)
+    lengths = [at_first * share for share in (0.998, 1, 1.001, 1.005, 0.99)]
     found = kingpost.Batch(scenario, {LENGTH: lengths}).run()
     for run, length in enumerate(lengths):
         alone = kingpost.run(scenario, {LENGTH: length})
@@ -39,9 +46,9 @@ def test_each_run_of_a_batch_has_the_bits_of_the_run_alone(scenario):
 
 
 @pytest.mark.parametrize("path", [STIFFNESS, LENGTH, DRAG, HEIGHT])
-def test_derivatives_agree_with_central_differences(scenario, path):
+def test_derivatives_agree_with_central_differences(either, path):
     """Source: differences with steps h and 2 h, whose error is a third of their difference."""
-    value = float(_value(CHAIN, path))
+    scenario, value = either, float(_value(either.resolved, path))
     step = 1e-5 * value
     found = kingpost.gradient(scenario, path)
     runs = kingpost.Batch(scenario, {path: [value + by * step for by in (1, -1, 2, -2)]}).run()
@@ -64,7 +71,8 @@ def _value(scenario: dict[str, Any], path: str) -> Any:
     return found
 
 
-def test_a_run_goes_on_from_a_snapshot_with_the_same_bits(scenario):
+def test_a_run_goes_on_from_a_snapshot_with_the_same_bits(either):
+    scenario = either
     simulation = kingpost.Simulation(scenario)
     simulation.step(40)
     snapshot = simulation.snapshot()
@@ -111,6 +119,16 @@ def test_a_light_body_on_a_wire_needs_shorter_steps(tmp_path):
     assert np.abs(short.state.v).max() < 1e-3
 
 
+PATH = PAID_OUT["forces"]["chain"]["line"]["path"]
+
+
+def over(path: list[dict[str, Any]]) -> dict[str, Any]:
+    """The wire from a drum, with another path."""
+    given = copy.deepcopy(PAID_OUT)
+    given["forces"]["chain"]["line"]["path"] = path
+    return given
+
+
 MISTAKES = {
     "no stiffness": (with_section(axial_stiffness_N=0), "sections.0.axial_stiffness_N"),
     "no mass": (with_section(mass_kg_per_m=0), "sections.0.mass_kg_per_m"),
@@ -124,6 +142,13 @@ MISTAKES = {
     "both ends on one body": (chain(second={"body": "fairlead", "position_m": [1, 0, 0]}), "second.body"),
     "an unknown body": (chain(first={"body": "ship", "position_m": [1, 0, 0]}), "first.body"),
     "a seabed without friction": (chain(seabed={}), "seabed"),
+    "ends and a path": (chain(path=PATH), "first"),
+    "one end": (chain(second=None), "first"),
+    "neither ends nor a path": (chain(first=None, second=None), "first"),
+    "an unknown drum": (over([{"drum": {"joint": "wheel", "radius_m": 1}}, *PATH[1:]]), "path.0.drum.joint"),
+    "a path of one place": (over(PATH[:1]), "path"),
+    "two falls": (over([*PATH[:-1], {"point": {"body": "load", "falls": 2}}]), "path.2.point.falls"),
+    "a clump weight at the end": (with_section(clump_weight={"mass_kg": 1}), "sections.0.clump_weight"),
 }
 
 

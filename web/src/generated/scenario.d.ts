@@ -2488,6 +2488,19 @@ export type CatenaryLine = {
   seabed?: boolean;
 };
 /**
+ * A place on a rope's path.
+ */
+export type RopeStation =
+  | {
+      point: RopePoint;
+    }
+  | {
+      sheave: Sheave;
+    }
+  | {
+      drum: RopeDrum;
+    };
+/**
  * A section of a line, with the same properties along it.
  */
 export type DynamicLineSection = {
@@ -2540,6 +2553,37 @@ export type DynamicLineSection = {
    * Drag coefficient of the flow along the line, with the area of pi times diameter times length.
    */
   drag_along?: number;
+  /**
+   * A clump weight or a buoy at its end towards the second end of the line.
+   */
+  clump_weight?: LineClumpWeight | null;
+};
+/**
+ * A clump weight or a buoy on a line: a point with mass, buoyancy, added mass and drag, which turns freely.
+ */
+export type LineClumpWeight = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Mass, kg.
+   */
+  mass_kg?: number;
+  /**
+   * The same as `mass_kg`, in the unit of this name.
+   */
+  mass_t?: number;
+  /**
+   * Displaced volume, m^3. At the surface the wet share is that of a body as high as a sphere of this volume.
+   */
+  volume_m3?: number;
+  /**
+   * Drag coefficient times area, m^2, in every direction.
+   */
+  drag_area_m2?: number;
+  /**
+   * Added mass over the mass of the displaced water; that of a sphere is 0.5.
+   */
+  added_mass?: number;
 };
 /**
  * A rope without inertia that runs over sheaves: a hoist or a sling. It pulls when its path is longer
@@ -2619,19 +2663,6 @@ export type Rope = {
    */
   begins_released?: boolean;
 };
-/**
- * A place on a rope's path.
- */
-export type RopeStation =
-  | {
-      point: RopePoint;
-    }
-  | {
-      sheave: Sheave;
-    }
-  | {
-      drum: RopeDrum;
-    };
 /**
  * The load chart of a crane: rated loads over the radius, the distance from the slewing axis to the point where the
  * rope leaves the crane. The results have `load_radius` (m), `rated_load` and `hook_load` (kg) and `load_utilisation`,
@@ -3740,8 +3771,8 @@ export type Cylinder = {
    * Whether the element acts.
    */
   enabled?: boolean;
-  first: Pin5;
-  second: Pin6;
+  first: Pin4;
+  second: Pin5;
   /**
    * Length between the pins when fully retracted, m, limited by a stop.
    */
@@ -5212,7 +5243,8 @@ export interface Pin2 {
 /**
  * A wire or chain with mass between two points on bodies or in the world: a mooring line, a hoisting wire in deep water.
  * It has axial stiffness and damping, weight, buoyancy, added mass and drag in waves and current, and can lie on the seabed;
- * it has no bending stiffness. A run begins with the line at rest between its ends.
+ * it has no bending stiffness. A run begins with the line at rest between its ends. It has two ends, or a path over a drum and
+ * sheaves, from which its first section is paid out.
  *
  * With `rk4` and `euler` the line is advanced implicitly within each step, so that its axial waves do not limit the step;
  * `dormand_prince` resolves them.
@@ -5222,10 +5254,22 @@ export interface DynamicLine {
    * Whether the element acts.
    */
   enabled?: boolean;
-  first: Pin3;
-  second: Pin4;
   /**
-   * Its sections, from the first end.
+   * One end: a fairlead, a crane's tip.
+   */
+  first?: Pin3 | null;
+  /**
+   * The other end: an anchor in the `world`, or a point of another body.
+   */
+  second?: Pin3 | null;
+  /**
+   * Instead of both ends, the places of a path as of a `rope`, with one fall: the line is its last leg, from the last drum or
+   * sheave, taken as a point, to the last point. Up to there it does not stretch and has no mass; the weight of what is paid
+   * out is taken from the first place.
+   */
+  path?: RopeStation[];
+  /**
+   * Its sections, from the first end. With a path the length of the first one is that at the start.
    */
   sections: DynamicLineSection[];
   /**
@@ -5234,7 +5278,7 @@ export interface DynamicLine {
   seabed?: LineSeabed | null;
 }
 /**
- * One end: a fairlead, a crane's tip.
+ * A point on a body, or in the world.
  */
 export interface Pin3 {
   /**
@@ -5248,43 +5292,6 @@ export interface Pin3 {
    * @maxItems 3
    */
   position_m?: [number, number, number];
-}
-/**
- * The other end: an anchor in the `world`, or a point of another body.
- */
-export interface Pin4 {
-  /**
-   * The body, or `world`.
-   */
-  body: string;
-  /**
-   * The point in the body's drawing frame, m.
-   *
-   * @minItems 3
-   * @maxItems 3
-   */
-  position_m?: [number, number, number];
-}
-/**
- * The seabed under a line.
- */
-export interface LineSeabed {
-  /**
-   * Its depth below the still waterline, m; without it, that of the sea.
-   */
-  depth_m?: number | null;
-  /**
-   * Coefficient of Coulomb friction, along and across the line.
-   */
-  friction: number;
-  /**
-   * Pressure per depth of penetration, N/m^3: the force per length is this times the diameter times the depth.
-   */
-  stiffness_N_per_m3?: number;
-  /**
-   * Damping over stiffness, s: a line that falls on it at a speed v is braked from a height of this time times v on.
-   */
-  damping_time_s?: number;
 }
 /**
  * A point on a rope's path.
@@ -5391,6 +5398,27 @@ export interface DrumLayers {
    * recorded.
    */
   innermost_radius_m: number;
+}
+/**
+ * The seabed under a line.
+ */
+export interface LineSeabed {
+  /**
+   * Its depth below the still waterline, m; without it, that of the sea.
+   */
+  depth_m?: number | null;
+  /**
+   * Coefficient of Coulomb friction, along and across the line.
+   */
+  friction: number;
+  /**
+   * Pressure per depth of penetration, N/m^3: the force per length is this times the diameter times the depth.
+   */
+  stiffness_N_per_m3?: number;
+  /**
+   * Damping over stiffness, s: a line that falls on it at a speed v is braked from a height of this time times v on.
+   */
+  damping_time_s?: number;
 }
 /**
  * A body that hangs on a rope.
@@ -5660,9 +5688,9 @@ export interface ExtensionSetPoint {
   extension_m?: number;
 }
 /**
- * Pin on one body.
+ * A point on a body, or in the world.
  */
-export interface Pin5 {
+export interface Pin4 {
   /**
    * The body, or `world`.
    */
@@ -5676,9 +5704,9 @@ export interface Pin5 {
   position_m?: [number, number, number];
 }
 /**
- * Pin on the other.
+ * A point on a body, or in the world.
  */
-export interface Pin6 {
+export interface Pin5 {
   /**
    * The body, or `world`.
    */

@@ -86,7 +86,7 @@ pub use joint_damping::JointDamping;
 pub use joint_spring::JointSpring;
 pub use joint_stop::{JointStop, StopSide, hunt_crossley};
 pub use layout::{Layout, Signal, StateSlices, Steer, UnknownSignal, Watched, Wire};
-pub use line::{DynamicLine, LineGround, LinePart, LineSection, LineSupply};
+pub use line::{ClumpWeight, DynamicLine, LineGround, LinePart, LineSection, LineSupply};
 pub use lines::{CatenaryLine, SpringLine};
 pub use mean_heading::MeanHeading;
 pub use motion_reference_unit::{HeaveFilter, MotionReferenceUnit};

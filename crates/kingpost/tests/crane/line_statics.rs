@@ -134,3 +134,65 @@ bodies:
     let [left, right] = [0, 1].map(|line| crate::common::values(&mut run, "line_tension")[line]);
     assert!((left / right - 1.0).abs() < 1e-9, "{left} {right}");
 }
+
+/// Returns the tensions at the ends of a chain of two sections of this length between two points 100 m under the surface,
+/// with a clump weight between the sections.
+fn with_clump(clump: &str, length: f64, across: f64) -> [f64; 2] {
+    let section = format!("unstretched_length_m: {length}, elements: 12, mass_kg_per_m: 20, diameter_m: 0.05, axial_stiffness_N: 4.0e8");
+    let mut run = Simulation::new(setup(&format!(
+        "forces:
+  gravity: {{gravity: {{}}}}
+  chain:
+    line:
+      first: {{body: point, position_m: [{across}, 0, -100]}}
+      second: {{body: world, position_m: [0, 0, -100]}}
+      sections:
+        - {{{section}, clump_weight: {clump}}}
+        - {{{section}}}
+bodies: {{point: {{mass_kg: 1, shape: {{point: {{}}}}, joint: {{fixed: {{}}}}}}}}
+"
+    )));
+    ["line_tension", "line_end_tension"].map(|name| crate::common::values(&mut run, name)[0])
+}
+
+/// Returns a section as a catenary in water.
+fn in_water(unstretched_length: f64) -> Catenary {
+    let weight = (20.0 - 1025.0 * core::f64::consts::FRAC_PI_4 * 0.05 * 0.05) * G;
+    Catenary { unstretched_length, weight, axial_stiffness: 4e8, on_seabed: false }
+}
+
+#[test]
+fn a_clump_weight_hangs_where_two_catenaries_meet() {
+    let tensions = with_clump("{mass_kg: 5000, volume_m3: 1}", 100.0, 150.0);
+    // By symmetry it hangs in the middle, and each end carries half of everything. The deeper it hangs, the smaller the
+    // horizontal force, so that the vertical one decreases.
+    let section = in_water(100.0);
+    let vertical = 0.5 * (5000.0 - 1025.0) * G + 100.0 * section.weight;
+    let at = |up: f64| section.force(&Span { across: 75.0, up });
+    let [mut high, mut low] = [1.0, 99.0];
+    for _ in 0..60 {
+        let middle = 0.5 * (high + low);
+        *(if at(middle).vertical > vertical { &mut low } else { &mut high }) = middle;
+    }
+    let [expected, ..] = section.tensions(&at(0.5 * (high + low)));
+    // Fourth order: elements of 8 m.
+    for tension in tensions {
+        assert!((tension / expected - 1.0).abs() < 1e-5, "{tension} {expected}");
+    }
+}
+
+#[test]
+fn a_buoy_at_the_surface_carries_two_catenaries() {
+    let tensions = with_clump("{mass_kg: 500, volume_m3: 8}", 120.0, 60.0);
+    // Wet share of a body as high as the sphere of 8 m3, in equilibrium with its weight and two legs.
+    let diameter = (8.0 * 6.0 / core::f64::consts::PI).cbrt();
+    let (section, mut height) = (in_water(120.0), 0.0);
+    for _ in 0..50 {
+        let carried = 500.0 * G + 2.0 * section.force(&Span { across: 30.0, up: 100.0 + height }).vertical;
+        height = diameter * (0.5 - carried / (1025.0 * G * 8.0));
+    }
+    let [_, expected] = section.tensions(&section.force(&Span { across: 30.0, up: 100.0 + height }))[..2] else { unreachable!() };
+    for tension in tensions {
+        assert!((tension / expected - 1.0).abs() < 1e-4, "{tension} {expected}");
+    }
+}

@@ -1,6 +1,6 @@
 //! Lines with mass: their ends, sections and seabed.
 
-use super::{DynamicLine, LineGround, LinePart, LineSection, RestingLine};
+use super::{ClumpWeight, DynamicLine, LineGround, LinePart, LineSection, RestingLine};
 use crate::dynamics::LinkKinematics;
 use crate::elements::lines::assembly::{LARGEST_STRAIN, end};
 use crate::elements::ropes::assembly::at_start::check_path;
@@ -42,8 +42,34 @@ impl<S: Quantity> Assemble<S> for schema::DynamicLine<S> {
             (Some(LaidLine::Over(stations, drum)), true) => DynamicLine::over(name, &stations, drum, &parts),
             _ => return Ok(Vec::new()),
         };
+        let line = with_clumps(line, &self.sections, &field)?;
         Ok(vec![Box::new(DynamicLine { ground, ..line })])
     }
+}
+
+/// Fastens the clump weights and buoys to the ends of the sections.
+fn with_clumps<S: Quantity>(
+    mut line: DynamicLine<S>,
+    sections: &[schema::DynamicLineSection<S>],
+    field: &dyn Fn(&str) -> String,
+) -> Result<DynamicLine<S>, FieldError> {
+    let mut element = 0;
+    for (k, section) in sections.iter().enumerate() {
+        element += section.elements;
+        let Some(given) = &section.clump_weight else { continue };
+        if k + 1 == sections.len() {
+            let allowed = "none at the end of the last section: give its mass and volume to the body there";
+            return Err(FieldError::new(field(&format!("sections.{k}.clump_weight")), "a clump weight", allowed));
+        }
+        let clump = ClumpWeight {
+            mass: given.mass_kg.get(),
+            volume: given.volume_m3.get(),
+            drag_area: given.drag_area_m2.get(),
+            added_mass: given.added_mass.get(),
+        };
+        line = line.with_clump(element, clump);
+    }
+    Ok(line)
 }
 
 /// The places of a line.

@@ -63,6 +63,24 @@ pub struct DynamicLineSection<S = f64> {
     /// Drag coefficient of the flow along the line, with the area of pi times diameter times length.
     #[serde(default)]
     pub drag_along: NonNegative<S>,
+    /// A clump weight or a buoy at its end towards the second end of the line.
+    pub clump_weight: Option<LineClumpWeight<S>>,
+}
+
+/// A clump weight or a buoy on a line: a point with mass, buoyancy, added mass and drag, which turns freely.
+#[fields]
+pub struct LineClumpWeight<S = f64> {
+    /// Mass, kg.
+    pub mass_kg: NonNegative<S>,
+    /// Displaced volume, m^3. At the surface the wet share is that of a body as high as a sphere of this volume.
+    #[serde(default)]
+    pub volume_m3: NonNegative<S>,
+    /// Drag coefficient times area, m^2, in every direction.
+    #[serde(default)]
+    pub drag_area_m2: NonNegative<S>,
+    /// Added mass over the mass of the displaced water; that of a sphere is 0.5.
+    #[serde(default = "half::<S>")]
+    pub added_mass: NonNegative<S>,
 }
 
 /// The seabed under a line.
@@ -83,6 +101,10 @@ pub struct LineSeabed<S = f64> {
 /// 0.4 % of critical damping at 8 s, as of steel wire.
 fn damping_time<S: Leaf>() -> NonNegative<S> {
     NonNegative::literal(0.01)
+}
+
+fn half<S: Leaf>() -> NonNegative<S> {
+    NonNegative::literal(0.5)
 }
 
 fn one<S: Leaf>() -> NonNegative<S> {

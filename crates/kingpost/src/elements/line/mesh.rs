@@ -1,6 +1,6 @@
 //! The elements and nodes of a line, and the length that belongs to each.
 
-use super::section::{LineSection, WetPart};
+use super::section::{ClumpWeight, LineSection, WetPart};
 use crate::elements::Context;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
@@ -39,18 +39,21 @@ pub struct LineMeshNode<S> {
     pub share: f64,
     /// Derivative of the length along that of the first part, if it is paid out.
     pub growth: f64,
+    /// What is fastened to it.
+    pub clump: Option<ClumpWeight<S>>,
 }
 
 impl<S: Scalar> LineMeshNode<S> {
     /// Returns its length in the water, with the node at a point and with this unit tangent.
     pub fn in_water(&self, at: &Context<'_, S>, point: Vector3<S>, tangent: Vector3<S>) -> WetPart<S> {
         let middle = point[2] + tangent[2] * self.length * S::constant(self.middle);
-        self.section.in_water(at, self.length, (point, middle, tangent))
+        self.section.in_water(at, self.length, (point, middle, tangent), self.clump.as_ref())
     }
 
     /// Returns its mass without water, kg.
     pub fn dry_mass(&self) -> S {
-        self.section.mass_per_length * self.length
+        let own = self.section.mass_per_length * self.length;
+        self.clump.map_or(own, |clump| own + clump.mass)
     }
 }
 
@@ -123,10 +126,10 @@ impl<S: Scalar> LineMesh<S> {
             node.length = length * S::constant(node.growth);
         }
         if let Some(beyond) = &self.beyond {
-            let LineMeshNode { growth, share, .. } = self.nodes[end];
+            let LineMeshNode { growth, share, clump, .. } = self.nodes[end];
             let own = node(&self.elements[self.supplied - 1], 0.0, 0.0);
             let own = LineMeshNode { length: length * S::constant(growth), ..own };
-            self.nodes[end] = LineMeshNode { growth, share, ..own.with(beyond) };
+            self.nodes[end] = LineMeshNode { growth, share, clump, ..own.with(beyond) };
         }
         (self.first, self.length) = (length, length + self.others);
     }
@@ -170,14 +173,14 @@ impl<S: Scalar> LineMeshNode<S> {
                 of(|section| section.drag[1] * section.diameter) / diameter,
             ],
         };
-        Self { length, section, middle: 0.0, share: 0.0, growth: 0.0 }
+        Self { length, section, middle: 0.0, share: 0.0, growth: 0.0, clump: None }
     }
 }
 
 /// Returns a node with these sixths of an element, whose middle is at this share of them from the node.
 fn node<S: Scalar>(element: &LineMeshElement<S>, sixths: f64, middle: f64) -> LineMeshNode<S> {
     let length = element.length * S::constant(sixths / 6.0);
-    LineMeshNode { length, section: element.section, middle, share: 0.0, growth: 0.0 }
+    LineMeshNode { length, section: element.section, middle, share: 0.0, growth: 0.0, clump: None }
 }
 
 /// Returns the sixths of an element of a part that is paid out.

@@ -24,7 +24,7 @@ mod supply;
 
 pub use ground::LineGround;
 pub use mesh::LinePart;
-pub use section::LineSection;
+pub use section::{ClumpWeight, LineSection};
 pub use supply::LineSupply;
 
 use super::lines::{declaration_of_line, place, pull_at, shares, velocity};
@@ -140,6 +140,17 @@ impl<S: Scalar> DynamicLine<S> {
     /// Takes the start of a run as the reference of its drum and path. Returns the path to its last end, if it has one.
     pub fn begin_supply(&mut self, at: &Context<'_, S>) -> Option<&mut RopePath<S>> {
         self.supply.as_mut().map(|supply| supply.begin(at))
+    }
+
+    /// Fastens a clump weight or a buoy to the end of an element, counted from the first end, from 1.
+    pub fn with_clump(mut self, element: usize, clump: ClumpWeight<S>) -> Self {
+        self.mesh.nodes[2 * element].clump = Some(clump);
+        self
+    }
+
+    /// Returns its path and drum, if it runs over them.
+    pub fn over_sheaves(&self) -> Option<(&RopePath<S>, Option<Drum<S>>)> {
+        self.supply.as_ref().map(|supply| (&supply.whole, supply.drum))
     }
 
     /// Returns the fields of its ends.

@@ -28,6 +28,27 @@ pub struct LineSection<S = f64> {
     pub drag: [S; 2],
 }
 
+/// A clump weight or a buoy on a line: a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ClumpWeight<S = f64> {
+    /// kg.
+    pub mass: S,
+    /// Displaced volume, m^3.
+    pub volume: S,
+    /// Drag coefficient times area, in every direction, m^2.
+    pub drag_area: S,
+    /// Added mass over the mass of the displaced water.
+    pub added_mass: S,
+}
+
+impl<S: Scalar> ClumpWeight<S> {
+    /// Returns the diameter of a sphere of its volume, m.
+    fn diameter(&self) -> S {
+        let cube = self.volume * S::constant(6.0 / PI);
+        cube.select_below(f64::MIN_POSITIVE, || S::ZERO, || cube.pow(S::constant(1.0 / 3.0)))
+    }
+}
+
 /// Mass of a part of a line, kg, with the added mass of the water.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PartMass<S> {
@@ -59,6 +80,8 @@ pub struct WetPart<S> {
     pub added: PartMass<S>,
     /// Drag over the square of the relative speed, across and along, N s^2/m^2.
     drag: [S; 2],
+    /// Loss of buoyancy per height, N/m: above 0 at the surface.
+    pub stiffness: S,
 }
 
 /// The drag on a part of a line.
@@ -77,7 +100,25 @@ impl<S: Scalar> WetPart<S> {
     pub fn dry() -> Self {
         let zero = Vector3::zero();
         let added = PartMass { across: S::ZERO, along: S::ZERO };
-        Self { tangent: zero, velocity: zero, acceleration: zero, steady: zero, added, drag: [S::ZERO; 2] }
+        Self { tangent: zero, velocity: zero, acceleration: zero, steady: zero, added, drag: [S::ZERO; 2], stiffness: S::ZERO }
+    }
+
+    /// Returns the part with a clump weight, whose middle is at this depth under the surface, m.
+    fn with_clump(self, clump: &ClumpWeight<S>, depth: S, [density, gravity]: [S; 2]) -> Self {
+        let (diameter, half) = (clump.diameter(), S::constant(0.5));
+        let least = diameter.select_below(f64::MIN_POSITIVE, || S::ONE, || diameter);
+        let [share, per_height] = share_under(depth, least);
+        let displaced = density * clump.volume * share;
+        let added = clump.added_mass * displaced;
+        let up = Vector3::new(S::ZERO, S::ZERO, displaced * gravity);
+        let of_area = half * density * clump.drag_area * share;
+        Self {
+            steady: self.steady + up + self.acceleration * (displaced + added),
+            added: PartMass { across: self.added.across + added, along: self.added.along + added },
+            drag: self.drag.map(|drag| drag + of_area),
+            stiffness: self.stiffness + density * clump.volume * gravity * per_height,
+            ..self
+        }
     }
 
     /// Returns the unit tangent of the part.
@@ -117,12 +158,14 @@ impl<S: Scalar> LineSection<S> {
         ([mean.elastic, mean.whole].map(stiff), mean.slopes.map(stiff))
     }
 
-    /// Returns a part of this length in the water at a point, with the height of its middle and its unit tangent.
+    /// Returns a part of this length in the water at a point, with the height of its middle and its unit tangent, and with what
+    /// is fastened to it.
     pub fn in_water(
         &self,
         at: &Context<'_, S>,
         length: S,
         (point, middle, tangent): (Vector3<S>, S, Vector3<S>),
+        clump: Option<&ClumpWeight<S>>,
     ) -> WetPart<S> {
         let half = S::constant(0.5);
         let density = at.world.water_density;
@@ -130,14 +173,15 @@ impl<S: Scalar> LineSection<S> {
         let extent = length * rise + self.diameter;
         let waves = at.world.waves.as_ref().filter(|field| at.evaluation.has_waves() && !field.is_empty());
         let (elevation, [by_waves, acceleration]) = waves.map_or((S::ZERO, [Vector3::zero(); 2]), |field| {
-            let is_under = field.is_always_under(middle + extent);
+            let highest = clump.map_or(extent, |clump| extent + clump.diameter());
+            let is_under = field.is_always_under(middle + highest);
             let time_s = at.clock.time_s;
             let elevation = if is_under { S::ZERO } else { field.elevation_m([point[0], point[1]], time_s) };
             (elevation, field.motion(point, elevation, time_s))
         });
         let depth = point[2].select_below(0.0, || -point[2], || S::ZERO);
         let velocity = by_waves + at.world.current_at(&CurrentAt::Depth(depth));
-        let share = ((elevation - middle) / extent + half).clipped(S::ZERO, S::ONE);
+        let [share, per_height] = share_under(elevation - middle, extent);
         let wet = length * share;
         let displaced = density * self.diameter * self.diameter * wet * S::constant(FRAC_PI_4);
         let [across, along] = self.added_mass.map(|coefficient| coefficient * displaced);
@@ -146,6 +190,17 @@ impl<S: Scalar> LineSection<S> {
         let inertial = acceleration * (displaced + across) + tangent * ((along - across) * tangent.dot(acceleration));
         let buoyancy = Vector3::new(S::ZERO, S::ZERO, displaced * at.world.gravity);
         let added = PartMass { across, along };
-        WetPart { tangent, velocity, acceleration, steady: buoyancy + inertial, added, drag }
+        let per_share = density * self.diameter * self.diameter * length * S::constant(FRAC_PI_4) * at.world.gravity;
+        let steady = buoyancy + inertial;
+        let part = WetPart { tangent, velocity, acceleration, steady, added, drag, stiffness: per_share * per_height };
+        clump.map_or(part, |clump| part.with_clump(clump, elevation - point[2], [density, at.world.gravity]))
     }
+}
+
+/// Returns the share of a body of this height, whose middle is at a depth, that is under the surface, and its decrease per
+/// height of the middle, 1/m.
+fn share_under<S: Scalar>(depth: S, height: S) -> [S; 2] {
+    let share = depth / height + S::constant(0.5);
+    let within = share.select_below(0.0, || S::ZERO, || (S::ONE - share).select_below(0.0, || S::ZERO, || S::ONE));
+    [share.clipped(S::ZERO, S::ONE), within / height]
 }

@@ -109,6 +109,7 @@ impl<S: Scalar> LineStatics<S> {
             let mut force = wet.steady + wet.drag(Vector3::zero(), S::ZERO).force;
             force[2] -= weight;
             let mut stiffness = Matrix3::identity().scaled(hold);
+            stiffness.0[2][2] += wet.stiffness;
             if let Some(ground) = ground {
                 let under = -ground.depth - place[2];
                 force += ground.support(part.length, under, Vector3::zero()).0;

@@ -23,11 +23,11 @@ pub struct LineSupply<S = f64> {
     /// leaves its first station directly.
     inboard: Option<RopePath<S>>,
     /// The whole path, for its checks at the start.
-    whole: RopePath<S>,
+    pub(super) whole: RopePath<S>,
     /// The first station.
     from: Station<S>,
     /// The drum there; without it, the end of the line is fixed there.
-    drum: Option<Drum<S>>,
+    pub(super) drum: Option<Drum<S>>,
     /// The sheave at the first end.
     tip: Option<Round<S>>,
     /// Length of the first part at the start, m.

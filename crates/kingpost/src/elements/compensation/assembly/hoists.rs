@@ -2,7 +2,8 @@
 
 use crate::elements::compensation::{Hoist, MovedSheaves};
 use crate::elements::drives::{ControlledDrive, SetPoint};
-use crate::elements::{AnyElement, Rope, of_kind};
+use crate::elements::ropes::{Drum, RopePath};
+use crate::elements::{AnyElement, DynamicLine, Rope, of_kind};
 use crate::model::{Attachment, Model};
 use crate::scenario::assembly::{FieldError, wires};
 use crate::scenario::leaf::Quantity;
@@ -54,19 +55,28 @@ pub fn hung<'a, S: Quantity>(
     [rope, by]: [&str; 2],
     elements: &'a [AnyElement<S>],
 ) -> Result<Hung<'a, S>, FieldError> {
-    let built = of_kind::<S, Rope<S>>(elements).map(|rope| (rope.name.as_str(), rope)).collect();
-    let found = named(&format!("{lead}.rope"), rope, (built, "a rope"))?;
+    let (path, drum) = named(&format!("{lead}.rope"), rope, (over_sheaves(elements), "a rope"))?;
     let driven = drive(&format!("{lead}.drive"), by, elements)?;
-    let drum = found.drum.filter(|drum| drum.coordinate == driven.coordinate).map(Hoist::Drum);
-    let Some(hoist) = drum.or_else(|| moved_sheaves(model, found, driven).map(Hoist::Sheaves)) else {
+    let drum = drum.filter(|drum| drum.coordinate == driven.coordinate).map(Hoist::Drum);
+    let Some(hoist) = drum.or_else(|| moved_sheaves(model, path, driven).map(Hoist::Sheaves)) else {
         let allowed =
             format!("the drive of the drum of {rope}, or of a joint between drum and tip that moves its sheaves");
         return Err(FieldError::new(format!("{lead}.drive"), driving(scenario, by), allowed));
     };
-    let stations = found.path.stations();
+    let stations = path.stations();
     let (tip, falls) = (stations[stations.len() - 2].centre, stations[stations.len() - 1].falls);
     let speed = driven.value;
     Ok(Hung { drive: driven, speed, hoist, tip, falls })
+}
+
+/// Path and drum of a rope, with its name.
+type OverSheaves<'a, S> = (&'a str, (&'a RopePath<S>, Option<Drum<S>>));
+
+/// Returns the ropes and the lines with mass that run over a path.
+fn over_sheaves<S: Quantity>(elements: &[AnyElement<S>]) -> Vec<OverSheaves<'_, S>> {
+    let ropes = of_kind::<S, Rope<S>>(elements).map(|rope| (rope.name.as_str(), (&rope.path, rope.drum)));
+    let lines = of_kind::<S, DynamicLine<S>>(elements);
+    ropes.chain(lines.filter_map(|line| Some((line.name.as_str(), line.over_sheaves()?)))).collect()
 }
 
 /// Returns the text "drive, which drives joint" for an error.
@@ -80,10 +90,14 @@ pub fn driving<S: Quantity>(scenario: &Scenario<S>, drive: &str) -> String {
 }
 
 /// Returns the sheaves before the tip that the joint of a drive moves.
-fn moved_sheaves<S: Quantity>(model: &Model<S>, rope: &Rope<S>, drive: &ControlledDrive<S>) -> Option<MovedSheaves<S>> {
+fn moved_sheaves<S: Quantity>(
+    model: &Model<S>,
+    whole: &RopePath<S>,
+    drive: &ControlledDrive<S>,
+) -> Option<MovedSheaves<S>> {
     let driven = model.plan.iter().position(|place| place.velocities == drive.coordinate)?;
     let way = |link: Option<usize>| core::iter::successors(link, |link| model.links.nodes[*link].parent);
-    let path = rope.path.up_to_tip()?;
+    let path = whole.up_to_tip()?;
     let moved = path.stations().iter().map(|station| way(station.centre.link).any(|link| link == driven)).collect();
     MovedSheaves::new(path, driven, moved)
 }
