@@ -13,6 +13,7 @@ import numpy as np
 from ..engine import engine
 from . import xarrays
 from .columns import unit_coordinate
+from .line_points import line_point_coordinates
 from .kept import DIGEST, digest_of
 
 if TYPE_CHECKING:
@@ -58,7 +59,8 @@ def dataset(
         ``units``, ``standard_name`` if the CF conventions have one, ``long_name`` (short, for the axis of a
         plot), ``description``, ``frame``, ``column`` (the pattern of its column names) and ``of_elements`` (1
         for an output of forces and drives). If its numbers differ in their units, as forces and moments do,
-        the coordinate ``<variable>_unit`` holds the units, and there is no ``units`` (`unit_of`).
+        the coordinate ``<variable>_unit`` holds the units, and there is no ``units`` (`unit_of`). Points along
+        lines have coordinates with the line and the arc length of each (`line_points`).
 
     >>> from kingpost import Simulation
     >>> simulation = Simulation("paper")
@@ -67,7 +69,8 @@ def dataset(
     (('time', 'body'), 'rad')
     """
     xarray = xarrays.load()
-    coordinates: dict[str, Any] = {}
+    channels = list(channels)
+    coordinates: dict[str, Any] = line_point_coordinates(channels, rows)
     variables: dict[str, Any] = {}
     for channel in channels:
         start, length = channel["offset"], channel["len"]

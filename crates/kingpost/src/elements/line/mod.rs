@@ -7,6 +7,7 @@
 //! Element Analysis*, 2002, sec. 11.3).
 
 mod advancing;
+mod along;
 pub(crate) mod assembly;
 mod blocks;
 mod descent;
@@ -33,6 +34,7 @@ use crate::model::{Attachment, Model};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Matrix3, SpatialInertia, Symmetric3, Vector3};
 use crate::world::World;
+use along::outputs_along;
 use mesh::LineMesh;
 use nodes::{LineNode, Nodes};
 use statics::LineStatics;
@@ -56,6 +58,8 @@ pub struct DynamicLine<S = f64> {
     pub ground: Option<LineGround<S>>,
     /// Positions of the nodes between the ends at the start, world, m, if it does not begin at rest.
     pub start: Option<Vec<Vector3<S>>>,
+    /// Number of points along it at which the results have its tension: 0, or 2 and more.
+    pub points_along: usize,
     /// Its elements and nodes.
     mesh: LineMesh<S>,
     /// Working memory.
@@ -89,6 +93,7 @@ impl<S: Scalar> DynamicLine<S> {
             ends,
             ground: None,
             start: None,
+            points_along: 0,
             mesh,
             nodes: Nodes::new(count),
             statics: LineStatics::new(count),
@@ -204,6 +209,8 @@ impl<S: Scalar> Element<S> for DynamicLine<S> {
         let mut declared = declaration_of_line(&self.name);
         let lost = "energy that the time stepping of a line took from it";
         declared.outputs.push(Output::number("line_energy_lost_to_scheme", lost, "line", &self.name, &["J"]));
+        declared.lines[0].seabed_m = self.ground.map(|ground| -ground.depth.value());
+        declared.outputs.extend(outputs_along(&self.name, self.points_along, self.ground.is_some()));
         Declaration { states, keeps_states: self.start.is_some(), advances: true, ..declared }
     }
 
@@ -261,6 +268,7 @@ impl<S: Scalar> Element<S> for DynamicLine<S> {
         let [first, last] = self.nodes.end_tensions();
         let lost = at.states[self.motions() + 1];
         out.extend([first, last, self.nodes.grounded_length(&self.mesh, self.ground.as_ref()), lost]);
+        self.nodes.write_along(&self.mesh, self.ground.as_ref(), self.points_along, out);
     }
 
     fn draw(&mut self, at: &Context<'_, S>, points: &mut Vec<S>) {

@@ -68,6 +68,11 @@ impl<S: Scalar> Nodes<S> {
         &self.nodes[node]
     }
 
+    /// Returns the tensions at the points of Gauss's rule, N.
+    pub fn tensions(&self) -> &[S] {
+        &self.tensions
+    }
+
     /// Sets the motion of a node.
     pub fn put(&mut self, node: usize, position: Vector3<S>, velocity: Vector3<S>) {
         let put = &mut self.nodes[node];
