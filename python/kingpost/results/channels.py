@@ -8,8 +8,8 @@ from typing import TypedDict
 class PlacesAlong(TypedDict):
     """Places along lines of the labels of a channel.
 
-    `lines` has the line of each label, `shares` its place on it, as a share of the unstretched length from the
-    first end; `length` is the variable with that length, m.
+    `lines` has the line of each label, `shares` its place on it, as a share of the unstretched length from
+    the first end; `length` is the variable with that length, m.
     """
 
     lines: list[str]
@@ -20,8 +20,8 @@ class PlacesAlong(TypedDict):
 class Channel(TypedDict):
     """Variable of the results: its names, units, dimensions and place in a row.
 
-    `unit` is None if the units of its numbers differ; `units` and `columns` have one entry for each number. `along`
-    is None unless its labels are points along lines.
+    `unit` is None if the units of its numbers differ; `units` and `columns` have one entry for each number.
+    `along` is None unless its labels are points along lines.
     """
 
     variable: str

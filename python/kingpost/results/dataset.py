@@ -13,8 +13,8 @@ import numpy as np
 from ..engine import engine
 from . import xarrays
 from .columns import unit_coordinate
-from .line_points import line_point_coordinates
 from .kept import DIGEST, digest_of
+from .line_points import line_point_coordinates
 
 if TYPE_CHECKING:
     import xarray
@@ -59,8 +59,8 @@ def dataset(
         ``units``, ``standard_name`` if the CF conventions have one, ``long_name`` (short, for the axis of a
         plot), ``description``, ``frame``, ``column`` (the pattern of its column names) and ``of_elements`` (1
         for an output of forces and drives). If its numbers differ in their units, as forces and moments do,
-        the coordinate ``<variable>_unit`` holds the units, and there is no ``units`` (`unit_of`). Points along
-        lines have coordinates with the line and the arc length of each (`line_points`).
+        the coordinate ``<variable>_unit`` holds the units, and there is no ``units`` (`unit_of`).
+        Points along lines have coordinates with the line and the arc length of each (`line_points`).
 
     >>> from kingpost import Simulation
     >>> simulation = Simulation("paper")

@@ -67,9 +67,7 @@ def line_point_coordinates(channels: Iterable[Channel], rows: NDArray[np.float64
     return found
 
 
-def _without_equal(
-    arc_length: NDArray[np.float64], dim: str
-) -> tuple[tuple[str, ...], NDArray[np.float64]]:
+def _without_equal(arc_length: NDArray[np.float64], dim: str) -> tuple[tuple[str, ...], NDArray[np.float64]]:
     """The arc lengths without the dimensions ``time`` and ``run`` along which they are equal.
 
     A run that ended early has NaN after its end; its arc length is that of its first record.
