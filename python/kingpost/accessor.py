@@ -159,6 +159,15 @@ class Accessor:
         ------
         KingpostError
             If there is no such line.
+
+        >>> import kingpost
+        >>> wire = {"unstretched_length_m": 210, "elements": 8, "mass_kg_per_m": 50, "diameter_m": 0.1,
+        ...         "axial_stiffness_kN": 1e5}
+        >>> hung = {"first": {"body": "ship", "position_m": [0, 0, 0]}, "sections": [wire],
+        ...         "second": {"body": "world", "position_m": [200, 0, -20]}}
+        >>> ds = kingpost.run("paper", {"forces.wire": {"line": hung}, "simulation.duration_s": 0.1})
+        >>> [axes.get_ylabel() for axes in ds.kingpost.range_graph("wire").axes]
+        ['wire, kN']
         """
         from .reports.range_graph import range_graph_figure
 

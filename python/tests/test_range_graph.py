@@ -10,6 +10,8 @@ import kingpost
 import numpy as np
 import pytest
 from kingpost import cli, fatigue
+from kingpost.study_report.blocks import Picture
+from kingpost.study_report.runs import range_graphs
 from line_samples import chain
 
 POINTS = 11
@@ -121,3 +123,10 @@ def test_the_picture_has_a_panel_for_each_line(ds):
     assert [axes.get_ylabel() for axes in drawn.axes] == ["chain, kN"]
     mean = drawn.axes[0].lines[0]
     np.testing.assert_allclose(mean.get_ydata(), kingpost.range_graph(ds, "chain", 1.0)["mean"] / 1e3)
+
+
+def test_the_report_of_a_study_has_the_range_graphs_of_a_worst_run(ds):
+    (picture,) = range_graphs(3, ds)
+    assert isinstance(picture, Picture)
+    assert "run_3.nc --range-graph" in picture.origin
+    assert range_graphs(3, kingpost.run("paper", {"simulation.duration_s": 0.001})) == []
