@@ -14,6 +14,7 @@ from .analysis import extremes, fatigue, lift_rules, statistics
 from .analysis.drive_functions import DriveFunctions, drive_functions
 from .analysis.gradients import gradient
 from .analysis.predictive import Plan, PredictiveRegulator, mpc
+from .analysis.range_graphs import line_fatigue, range_graph
 from .analysis.regulator import Regulator, lqr
 from .analysis.response import rao
 from .analysis.spectral import spectral_response
@@ -62,11 +63,13 @@ __all__ = [
     "fatigue",
     "gradient",
     "lift_rules",
+    "line_fatigue",
     "load",
     "lqr",
     "modes",
     "mpc",
     "open_study",
+    "range_graph",
     "rao",
     "results",
     "run",

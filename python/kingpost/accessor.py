@@ -138,6 +138,41 @@ class Accessor:
 
         return figure(self._results, names)
 
+    def range_graph(self, *lines: str, after_s: float | None = None) -> Figure:
+        """A picture of the tension along lines: least, mean and largest over the arc length.
+
+        The numbers are those of `kingpost.range_graph`.
+
+        Parameters
+        ----------
+        lines
+            Names of lines of the kind ``line``; default: all that have ``points_along``.
+        after_s
+            Leave out the records before this time, s; default: the ramp of the waves is left out.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            A panel for each line; a notebook shows it.
+
+        Raises
+        ------
+        KingpostError
+            If there is no such line.
+
+        >>> import kingpost
+        >>> wire = {"unstretched_length_m": 210, "elements": 8, "mass_kg_per_m": 50, "diameter_m": 0.1,
+        ...         "axial_stiffness_kN": 1e5}
+        >>> hung = {"first": {"body": "ship", "position_m": [0, 0, 0]}, "sections": [wire],
+        ...         "second": {"body": "world", "position_m": [200, 0, -20]}}
+        >>> ds = kingpost.run("paper", {"forces.wire": {"line": hung}, "simulation.duration_s": 0.1})
+        >>> [axes.get_ylabel() for axes in ds.kingpost.range_graph("wire").axes]
+        ['wire, kN']
+        """
+        from .reports.range_graph import range_graph_figure
+
+        return range_graph_figure(self._results, lines, after_s)
+
     @property
     def events(self) -> xarray.Dataset:
         """The events of the run, as `kingpost.results.events` gives them."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 
+from ..errors import KingpostError
 from .common import DONE, add_output, note
 
 HELP = "a picture of recorded runs over time"
@@ -18,6 +19,14 @@ def add_options(command: argparse.ArgumentParser) -> None:
         help="columns, such as ship.roll or 'load.*' (default: columns with limits, main columns)",
     )  # fmt: skip
     command.add_argument(
+        "--range-graph", nargs="*", metavar="LINE",
+        help="tension over the arc length of lines of the kind line (default: all of them), not over time",
+    )  # fmt: skip
+    command.add_argument(
+        "--after-s", type=float, metavar="T",
+        help="of --range-graph: leave out earlier records, s (default: the ramp of the waves)",
+    )  # fmt: skip
+    command.add_argument(
         "-o", "--output", metavar="FILE", required=True, help="the picture: .png, .svg or .pdf"
     )
 
@@ -25,9 +34,17 @@ def add_options(command: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Read the runs and draw them."""
     from ..reports import plot
+    from ..reports.range_graph import write_range_graph
     from ..results import open_all
 
+    if options.range_graph is not None and options.channels:
+        raise KingpostError("--channels: found with --range-graph, allowed: one of both")
+    if options.range_graph is None and options.after_s is not None:
+        raise KingpostError("--after-s: found without --range-graph, allowed: with it")
     runs = open_all(options.files)
-    written = plot.write(runs, options.output, options.channels)
+    if options.range_graph is None:
+        written = plot.write(runs, options.output, options.channels)
+    else:
+        written = write_range_graph(runs, options.output, options.range_graph, options.after_s)
     note(options, f"written  {written}")
     return DONE

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from ..errors import KingpostError
 from ..results.columns import OVER_RUNS, Place, floating_bodies, nearest, places, unit_of
 from ..results.entries import limits_of
+from ..results.line_points import points_dimension
 
 if TYPE_CHECKING:
     import xarray
@@ -64,9 +65,10 @@ def main_ones(results: xarray.Dataset, every: dict[str, Place]) -> list[str]:
 
 
 def is_single_number(variable: xarray.DataArray) -> bool:
-    """Whether a variable is a scalar output of forces and drives."""
+    """Whether a variable is a scalar output of forces and drives, not at points along lines."""
     dims = [dim for dim in variable.dims if dim not in ("time", "run")]
-    return bool(variable.attrs.get("of_elements")) and len(dims) == 1
+    at_points = points_dimension(variable) is not None
+    return bool(variable.attrs.get("of_elements")) and len(dims) == 1 and not at_points
 
 
 def is_single_force(variable: xarray.DataArray) -> bool:

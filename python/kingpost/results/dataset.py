@@ -14,6 +14,7 @@ from ..engine import engine
 from . import xarrays
 from .columns import unit_coordinate
 from .kept import DIGEST, digest_of
+from .line_points import line_point_coordinates
 
 if TYPE_CHECKING:
     import xarray
@@ -59,6 +60,7 @@ def dataset(
         plot), ``description``, ``frame``, ``column`` (the pattern of its column names) and ``of_elements`` (1
         for an output of forces and drives). If its numbers differ in their units, as forces and moments do,
         the coordinate ``<variable>_unit`` holds the units, and there is no ``units`` (`unit_of`).
+        Points along lines have coordinates with the line and the arc length of each (`line_points`).
 
     >>> from kingpost import Simulation
     >>> simulation = Simulation("paper")
@@ -67,7 +69,8 @@ def dataset(
     (('time', 'body'), 'rad')
     """
     xarray = xarrays.load()
-    coordinates: dict[str, Any] = {}
+    channels = list(channels)
+    coordinates: dict[str, Any] = line_point_coordinates(channels, rows)
     variables: dict[str, Any] = {}
     for channel in channels:
         start, length = channel["offset"], channel["len"]

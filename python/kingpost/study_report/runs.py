@@ -10,8 +10,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import link
+from ..analysis.range_graphs import lines_with_points
 from ..errors import KingpostError
 from ..reports import plot
+from ..reports.range_graph import range_graph_figure
 from ..reports.tables import unit_cell
 from ..results.units import engineering
 from ..simulation.outcomes import NUMBER
@@ -161,18 +163,42 @@ def section(
     blocks = status_blocks(runs, [one["text"] for one in came_of["ends"]])
     blocks += [limits_table(runs, axes)] if "limit" in runs.sizes else []
     blocks += warnings_table(came_of["warnings"], runs.sizes["run"])
+    drawn: set[int] = set()
     for one in worst_runs(runs)[:MOST_WORST]:
-        blocks += _worst(one, case_text(runs, one.run, axes), scenario_of(one.run), app)
+        scenario = scenario_of(one.run)
+        recorded = run(scenario)
+        blocks += _worst(one, case_text(runs, one.run, axes), recorded, scenario, app)
+        if one.run not in drawn:
+            blocks += range_graphs(one.run, recorded)
+            drawn.add(one.run)
     return Section("runs", "Limits and the worst runs", blocks)
 
 
-def _worst(one: Worst, case: str, scenario: Scenario, app: str) -> Iterator[Block]:
-    """Repeat a worst run and draw it, with its command and its link to the app."""
+def range_graphs(number: int, recorded: xarray.Dataset) -> list[Block]:
+    """Picture of the tension along the lines of a run; none if it has no lines with points along them."""
+    if not lines_with_points(recorded):
+        return []
+    return [
+        Picture.of(
+            range_graph_figure(recorded),
+            f"Tension over the arc length of lines in run {number}",
+            f"Range graphs of the lines in run {number}: least, mean and largest tension.",
+            f"Command: {_again(number)}, then kingpost plot run_{number}.nc --range-graph -o lines.svg.",
+        )
+    ]
+
+
+def _again(number: int) -> str:
+    """The command that repeats a run."""
+    return f"kingpost study study.yaml -o DIR --repeat {number}"
+
+
+def _worst(one: Worst, case: str, recorded: xarray.Dataset, scenario: Scenario, app: str) -> Iterator[Block]:
+    """Draw a worst run, with its command and its link to the app."""
     of_unit = f" {unit_cell(one.unit)}".rstrip()
-    again = f"kingpost study study.yaml -o DIR --repeat {one.run}"
+    again = _again(one.run)
     yield Heading(f"Worst for {one.limit}: {one.value:.4g}{of_unit} at {one.time_s:.1f} s")
     yield Paragraph(f"Run {one.run}: {case}.")
-    recorded = run(scenario)
     found = recorded.kingpost[one.column]
     unit, size = engineering(str(found.attrs.get("units", "")))
     extremes = f"from {float(found.min()) / size:.4g} to {float(found.max()) / size:.4g} {unit}"

@@ -646,6 +646,10 @@ export interface Channel {
    */
   columns: string[];
   /**
+   * Places of its labels along lines, if they are points of lines.
+   */
+  along: PlacesAlong | null;
+  /**
    * Whether it is an output of elements; otherwise it is a variable of the model or the ledger.
    */
   of_elements: boolean;
@@ -657,6 +661,23 @@ export interface Channel {
    * Number of entries.
    */
   len: number;
+}
+/**
+ * Places along lines of the labels of an output or a channel.
+ */
+export interface PlacesAlong {
+  /**
+   * Name of the line of each label.
+   */
+  lines: string[];
+  /**
+   * Place of each label on its line, as a share of the unstretched length from its first end.
+   */
+  shares: number[];
+  /**
+   * Variable of the results with the unstretched length of each line, m.
+   */
+  length: string;
 }
 /**
  * A line that views draw from point to point. Its number of points is constant over a run; a single point is drawn as
@@ -679,6 +700,10 @@ export interface DrawnLine {
    * Number of its points.
    */
   points: number;
+  /**
+   * Height of the level seabed on which it can lie, world z, m; absent if there is none.
+   */
+  seabed_m: number | null;
 }
 /**
  * A value that a user or a controller sets, constant over each step.

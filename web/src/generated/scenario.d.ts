@@ -5276,6 +5276,11 @@ export interface DynamicLine {
    * The level seabed on which it can lie; without it, the line does not touch the seabed.
    */
   seabed?: LineSeabed | null;
+  /**
+   * Number of points along it at which the results have its tension, evenly spaced along its unstretched length with both
+   * ends: 2 to 200, or 0 for none.
+   */
+  points_along?: number;
 }
 /**
  * A point on a body, or in the world.

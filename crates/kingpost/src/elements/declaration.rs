@@ -110,6 +110,20 @@ pub struct Output {
     pub units: &'static [&'static str],
     /// Frame of the components.
     pub frame: VectorFrame,
+    /// Places of its labels along lines, if they are points of lines.
+    pub along: Option<PlacesAlong>,
+}
+
+/// Places along lines of the labels of an output or a channel.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct PlacesAlong {
+    /// Name of the line of each label.
+    pub lines: Vec<String>,
+    /// Place of each label on its line, as a share of the unstretched length from its first end.
+    pub shares: Vec<f64>,
+    /// Variable of the results with the unstretched length of each line, m.
+    pub length: &'static str,
 }
 
 impl Output {
@@ -129,6 +143,7 @@ impl Output {
             components: Components::One,
             units: unit,
             frame: VectorFrame::None,
+            along: None,
         }
     }
 

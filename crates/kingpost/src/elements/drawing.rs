@@ -15,6 +15,8 @@ pub struct DrawnLine {
     pub radius_m: f64,
     /// Number of its points.
     pub points: usize,
+    /// Height of the level seabed on which it can lie, world z, m; absent if there is none.
+    pub seabed_m: Option<f64>,
 }
 
 /// The appearance of a drawn line.

@@ -65,7 +65,8 @@ pub use context::{Context, EvaluationMode};
 pub use coulomb_friction::CoulombFriction;
 pub use damped_against::DampedAgainst;
 pub use declaration::{
-    Components, Crossing, Declaration, Event, Input, Occurrence, Output, StateDeclaration, VectorFrame, WRENCH,
+    Components, Crossing, Declaration, Event, Input, Occurrence, Output, PlacesAlong, StateDeclaration, VectorFrame,
+    WRENCH,
 };
 pub use delay::Delay;
 pub use drawing::{DrawnLine, LineStyle};

@@ -1,7 +1,7 @@
 //! Variables of the results, with their indices in a row.
 
 use super::{Sample, Table};
-use crate::elements::{Layout, Output, VectorFrame};
+use crate::elements::{Layout, Output, PlacesAlong, VectorFrame};
 use crate::model::Model;
 use crate::scalar::Scalar;
 use indexmap::IndexMap;
@@ -31,6 +31,8 @@ pub struct Channel {
     pub column: String,
     /// Names of its columns in a flat table: `ship.angular_velocity.x`.
     pub columns: Vec<String>,
+    /// Places of its labels along lines, if they are points of lines.
+    pub along: Option<PlacesAlong>,
     /// Whether it is an output of elements; otherwise it is a variable of the model or the ledger.
     pub of_elements: bool,
     /// First entry in a row.
@@ -175,9 +177,19 @@ fn channel_of(outputs: &[&Output], dimension: String) -> Channel {
         dims,
         labels: [Some(things), components].into_iter().flatten().collect(),
         columns,
+        along: along(outputs),
         of_elements: true,
         offset: 0,
     }
+}
+
+/// Returns the places of all labels, if they are points of lines.
+fn along(outputs: &[&Output]) -> Option<PlacesAlong> {
+    let all = || outputs.iter().filter_map(|output| output.along.as_ref());
+    let length = all().next()?.length;
+    let lines = all().flat_map(|along| along.lines.iter().cloned()).collect();
+    let shares = all().flat_map(|along| along.shares.iter().copied()).collect();
+    Some(PlacesAlong { lines, shares, length })
 }
 
 /// Returns the pattern of a column's name: the label of the element or body precedes the variable.

@@ -156,6 +156,7 @@ impl<S: Scalar> Entry<S> {
             labels,
             len: columns.len(),
             columns,
+            along: None,
             of_elements: false,
             offset: 0,
         }

@@ -13,6 +13,7 @@ impl Simulation {
             style: LineStyle::Line,
             radius_m: 0.0,
             points: 2,
+            seabed_m: None,
         };
         self.hanging().map(rope).chain(self.plant.layout().lines.iter().cloned()).collect()
     }

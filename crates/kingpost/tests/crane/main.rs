@@ -16,6 +16,7 @@ mod entrained_water;
 mod heave_compensation;
 mod inertial_unit;
 mod inextensible_ropes;
+mod line_along;
 mod line_dynamics;
 mod line_statics;
 mod line_steps;

@@ -17,6 +17,9 @@ use crate::simulation::Setup;
 /// Largest number of elements of a line: its cost is linear in them, but each has twelve states.
 const MOST_ELEMENTS: usize = 2000;
 
+/// Largest number of points along a line: each is a column of the results.
+const MOST_POINTS: usize = 200;
+
 /// Speed at which the friction of the seabed is at half of sqrt(2) of its limit, m/s: a hundredth of the speeds at which a
 /// line is dragged along the seabed.
 const SLIDING_SPEED_M_S: f64 = 0.01;
@@ -29,6 +32,10 @@ impl<S: Quantity> Assemble<S> for schema::DynamicLine<S> {
         let field = |field: &str| format!("forces.{name}.line.{field}");
         let laid = laid(self, &field, &at)?;
         let parts = parts(self, &field)?;
+        if self.points_along == 1 || self.points_along > MOST_POINTS {
+            let allowed = format!("2 to {MOST_POINTS}, or 0 for none");
+            return Err(FieldError::new(field("points_along"), self.points_along, allowed));
+        }
         let ground = match &self.seabed {
             None => None,
             Some(seabed) => {
@@ -43,7 +50,7 @@ impl<S: Quantity> Assemble<S> for schema::DynamicLine<S> {
             _ => return Ok(Vec::new()),
         };
         let line = with_clumps(line, &self.sections, &field)?;
-        Ok(vec![Box::new(DynamicLine { ground, ..line })])
+        Ok(vec![Box::new(DynamicLine { ground, points_along: self.points_along, ..line })])
     }
 }
 

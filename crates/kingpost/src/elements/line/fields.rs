@@ -30,6 +30,10 @@ pub struct DynamicLine<S = f64> {
     pub sections: Vec<DynamicLineSection<S>>,
     /// The level seabed on which it can lie; without it, the line does not touch the seabed.
     pub seabed: Option<LineSeabed<S>>,
+    /// Number of points along it at which the results have its tension, evenly spaced along its unstretched length with both
+    /// ends: 2 to 200, or 0 for none.
+    #[serde(default = "points_along")]
+    pub points_along: usize,
 }
 
 /// A section of a line, with the same properties along it.
@@ -96,6 +100,11 @@ pub struct LineSeabed<S = f64> {
     /// Damping over stiffness, s: a line that falls on it at a speed v is braked from a height of this time times v on.
     #[serde(default = "seabed_damping::<S>")]
     pub damping_time_s: NonNegative<S>,
+}
+
+/// Every twentieth of the length.
+fn points_along() -> usize {
+    21
 }
 
 /// 0.4 % of critical damping at 8 s, as of steel wire.

@@ -7,6 +7,7 @@
 //! Element Analysis*, 2002, sec. 11.3).
 
 mod advancing;
+mod along;
 pub(crate) mod assembly;
 mod blocks;
 mod descent;
@@ -37,6 +38,7 @@ use crate::dynamics::Loads;
 use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Matrix3, SpatialInertia, Symmetric3, Vector3};
+use along::outputs_along;
 use mesh::LineMesh;
 use nodes::{LineNode, Nodes};
 use statics::LineStatics;
@@ -63,6 +65,8 @@ pub struct DynamicLine<S = f64> {
     supply: Option<LineSupply<S>>,
     /// Positions of the nodes between the ends at the start, world, m, if it does not begin at rest.
     pub start: Option<Vec<Vector3<S>>>,
+    /// Number of points along it at which the results have its tension: 0, or 2 and more.
+    pub points_along: usize,
     /// Its elements and nodes.
     mesh: LineMesh<S>,
     /// Working memory.
@@ -114,6 +118,7 @@ impl<S: Scalar> DynamicLine<S> {
             ground: None,
             supply: None,
             start: None,
+            points_along: 0,
             nodes: Nodes::new(&mesh),
             statics: LineStatics::new(mesh.nodes.len()),
             step: LineStep::new(&mesh),
@@ -283,12 +288,11 @@ impl<S: Scalar> Element<S> for DynamicLine<S> {
         let mut declared = declaration_of_line(&self.name);
         let lost = "energy that the time stepping of a line took from it";
         declared.outputs.push(Output::number("line_energy_lost_to_scheme", lost, "line", &self.name, &["J"]));
+        declared.lines[0].seabed_m = self.ground.map(|ground| -ground.depth.value());
+        declared.outputs.extend(outputs_along(&self.name, self.points_along, self.ground.is_some()));
         if self.supply.is_some() {
-            let number = |variable, what, unit| Output::number(variable, what, "line", &self.name, unit);
-            declared.outputs.extend([
-                number("line_length", "unstretched length of a line between its ends", &["m"]),
-                number("line_pay_out_rate", "rate at which the length of a line increases", &["m/s"]),
-            ]);
+            let rate = "rate at which the length of a line increases";
+            declared.outputs.push(Output::number("line_pay_out_rate", rate, "line", &self.name, &["m/s"]));
             declared.events.extend(EVENTS);
         }
         Declaration { states, keeps_states: self.start.is_some(), advances: true, ..declared }
@@ -355,7 +359,8 @@ impl<S: Scalar> Element<S> for DynamicLine<S> {
         let [first, last] = self.nodes.end_tensions();
         let lost = at.states[self.motions() + 1];
         out.extend([first, last, self.nodes.grounded_length(&self.mesh, self.ground.as_ref()), lost]);
-        out.extend(supplied.iter().flat_map(|now| [self.mesh.length, now.rate]));
+        self.nodes.write_along(&self.mesh, self.ground.as_ref(), self.points_along, out);
+        out.extend(supplied.map(|now| now.rate));
     }
 
     fn event_indicators(&mut self, at: &Context<'_, S>, values: &mut [S]) {

@@ -78,6 +78,11 @@ impl<S: Scalar> Nodes<S> {
         &self.feed
     }
 
+    /// Returns the tension at a point of Gauss's rule, N.
+    pub fn tension(&self, point: usize) -> S {
+        self.points[point].tension[1]
+    }
+
     /// Sets the motion of a node.
     pub fn put(&mut self, node: usize, position: Vector3<S>, velocity: Vector3<S>) {
         let put = &mut self.nodes[node];

@@ -33,7 +33,9 @@ impl<S: Scalar> Element<S> for CatenaryLine<S> {
     }
 
     fn declare(&self) -> Declaration {
-        declaration_of_line(&self.name)
+        let mut declared = declaration_of_line(&self.name);
+        declared.lines[0].seabed_m = self.line.on_seabed.then(|| self.anchor[2].value());
+        declared
     }
 
     /// Adds the pull at the fairlead.
