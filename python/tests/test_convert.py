@@ -105,6 +105,19 @@ def test_the_tension_at_rest_is_that_of_the_elastic_catenary(deck) -> None:
     assert float(tension) == pytest.approx(2435.56e3, rel=2e-3)
 
 
+THIRD = "4   Fairlead    0  10 -14  0 0 0 0\n"
+
+
+def test_a_free_point_with_mass_between_two_lines_is_a_clump_weight(deck) -> None:
+    old = "2   Free        390    0  -107.0  0     0       0    0"
+    found = resolved(deck((old, "2   Free 390 0 -107 4e3 2.0 1.5 0.6")))
+    assert set(found["bodies"]) == {"vessel"}
+    first, second = found["forces"]["line_1_2"]["line"]["sections"]
+    weight = {"mass_kg": 4000, "volume_m3": 2.0, "drag_area_m2": 1.5, "added_mass": 0.6}
+    assert first["clump_weight"] == weight
+    assert second.get("clump_weight") is None
+
+
 @pytest.mark.parametrize(
     ("old", "new", "bodies"),
     [
@@ -121,9 +134,9 @@ def test_the_tension_at_rest_is_that_of_the_elastic_catenary(deck) -> None:
         ("2   Free        390    0  -107.0  0     0       0    0", "2   free 390 0 -107 4e3 0 0 0", None),
     ],
 )
-def test_a_free_point_with_mass_is_a_body_that_lines_connect(deck, old, new, bodies) -> None:
+def test_a_free_point_with_mass_is_a_body_that_three_lines_connect(deck, old, new, bodies) -> None:
     """Source: the numbers of the deck: buoyancy rho V, drag rho CdA / 2, added mass rho V Ca."""
-    found = resolved(deck((old, new)))
+    found = resolved(deck((POINTS, POINTS + THIRD), (LINES, LINES + "3 wire 2 4 405 11 -\n"), (old, new)))
     body = found["bodies"]["point_2"]
     assert body["mass_kg"] == 4000
     assert body["joint"]["floating"]["hold_rotation"]
@@ -145,8 +158,7 @@ def test_a_free_point_with_mass_is_a_body_that_lines_connect(deck, old, new, bod
 
 
 def test_three_lines_that_meet_at_a_bare_point_are_connected_by_a_light_body(deck) -> None:
-    third = "4   Fairlead    0  10 -14  0 0 0 0\n"
-    path = deck((POINTS, POINTS + third), (LINES, LINES + "3 wire 2 4 405 11 -\n"))
+    path = deck((POINTS, POINTS + THIRD), (LINES, LINES + "3 wire 2 4 405 11 -\n"))
     found = resolved(path)
     assert set(found["bodies"]) == {"vessel", "point_2"}
     assert 0 < found["bodies"]["point_2"]["mass_kg"] < 1000

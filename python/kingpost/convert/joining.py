@@ -1,13 +1,15 @@
-"""Lines that bare points join become one line with sections."""
+"""Lines that free points join become one line with sections."""
 
 from __future__ import annotations
 
 from collections import defaultdict
 from dataclasses import dataclass
+from itertools import pairwise
 
 from .deck import Deck, Segment
 
 JOINED = "joins two lines, which are sections of one line"
+WITH_WEIGHT = f"{JOINED} with a clump weight"
 
 
 @dataclass
@@ -23,6 +25,13 @@ class Joined:
         first, *rest = self.parts
         return "_".join([first.name, *(part.name.removeprefix("line_") for part in rest)])
 
+    @property
+    def joints(self) -> list[str]:
+        """Names of the points between the segments."""
+        return [
+            next(end for end in before.ends if end in after.ends) for before, after in pairwise(self.parts)
+        ]
+
 
 def attached(lines: list[Segment]) -> dict[str, list[Segment]]:
     """Lines by the points that they connect to."""
@@ -34,9 +43,9 @@ def attached(lines: list[Segment]) -> dict[str, list[Segment]]:
 
 
 def joined(deck: Deck) -> list[Joined]:
-    """Join lines at free points without mass, volume and drag that connect two of them."""
+    """Join lines at free points that connect two of them."""
     at = attached(deck.lines)
-    joints = {name for name, lines in at.items() if len(lines) == 2 and deck.points[name].is_bare}
+    joints = {name for name, lines in at.items() if len(lines) == 2 and deck.points[name].body is None}
     used: set[str] = set()
     found = []
     for line in deck.lines:
@@ -48,7 +57,8 @@ def joined(deck: Deck) -> list[Joined]:
         found.append(Joined((first, last), [*reversed(before), line, *after]))
     inside = joints - {end for one in found for end in one.ends}
     for name in inside:
-        deck.notes.convert(deck.points[name].line, name, JOINED)
+        point = deck.points[name]
+        deck.notes.convert(point.line, name, JOINED if point.is_bare else WITH_WEIGHT)
     return found
 
 

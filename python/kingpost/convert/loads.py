@@ -69,6 +69,16 @@ def point(one: Point, mass_kg: float) -> dict[str, Any]:
     return {"mass_kg": mass_kg, "shape": {"point": {}}, "joint": joint}
 
 
+def clump_weight(one: Point) -> dict[str, Any]:
+    """Field of the section that ends at a free point between two lines; none for a bare point."""
+    if one.is_bare:
+        return {}
+    fields = {"mass_kg": one.mass_kg, "volume_m3": one.volume_m3}
+    return {
+        "clump_weight": {**fields, "drag_area_m2": one.drag_area_m2, "added_mass": one.added_mass}
+    }
+
+
 def water_on_point(one: Point, name: str, deck: Deck) -> dict[str, Any]:
     """Forces of the water on the body of a free point, by name."""
     areas = (one.drag_area_m2,) * 3

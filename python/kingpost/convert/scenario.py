@@ -186,6 +186,8 @@ class _Builder:
             second["body"] = self._beside(second["body"], line)
         fields: dict[str, Any] = {"first": first, "second": second}
         fields["sections"] = [section(part, self.deck) for part in line.parts]
+        for before, joint in zip(fields["sections"], line.joints, strict=False):
+            before.update(loads.clump_weight(self.deck.points[joint]))
         water = self.deck.water
         if water.depth_m and water.stiffness_n_per_m3:
             fields["seabed"] = {
