@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from kingpost import verify
-from kingpost.verify import lines, rows, running
+from kingpost.verify import chain_tensions, lines, rows, running
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "validation.md"
 KEPT = lines.kept()
@@ -48,11 +48,20 @@ def test_the_stored_runs_name_their_origin() -> None:
     assert json.dumps(KEPT["command"])[1:-1] in script.read_text(encoding="utf-8")
 
 
+@pytest.mark.parametrize("depth_m", chain_tensions.CASES)
+def test_chains_at_rest_have_the_tension_of_their_equations_and_about_the_published_one(depth_m) -> None:
+    """Source: elastic catenary, and MoorDyn's `quasi_static_chain`."""
+    exact, published = chain_tensions.closed_form(depth_m), chain_tensions.CASES[depth_m]["published_N"]
+    assert chain_tensions.massless(depth_m) == pytest.approx(exact, rel=1e-12)
+    assert chain_tensions.with_mass(depth_m) == pytest.approx(exact, rel=2e-4)
+    assert exact == pytest.approx(published, rel=1.1e-2)
+
+
 @pytest.mark.thorough
 def test_the_page_agrees_with_the_present_results_of_lines() -> None:
     """Source: the rows; the page has bounds of their differences."""
     page = PAGE.read_text(encoding="utf-8").split("### Lines with mass")[1].split("\n## ")[0]
-    printed = dict(re.findall(r"^\| .*\| `([a-z-]+)` \| ([\d.e-]+) \|$", page, re.MULTILINE))
+    printed = dict(re.findall(r"^\| .*\| `([a-z0-9-]+)` \| ([\d.e-]+) \|$", page, re.MULTILINE))
     found = {one.id: one for one in running.checks("lines")}
     assert set(printed) == set(found)
     for name, bound in printed.items():

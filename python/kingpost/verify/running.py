@@ -18,6 +18,7 @@ FURTHER = (
     "wave_energy",
     "swimming",
     "lowering",
+    "chain_tensions",
 )
 FILES = (*AREAS, *FURTHER)
 """The modules of the rows: one for each area, and some for further rows."""
