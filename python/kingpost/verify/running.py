@@ -18,6 +18,7 @@ FURTHER = (
     "wave_energy",
     "swimming",
     "lowering",
+    "moored_lines",
     "chain_tensions",
 )
 FILES = (*AREAS, *FURTHER)
