@@ -24,6 +24,7 @@ import tempfile
 import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -153,38 +154,46 @@ class MoorDyn:
         from peers import lines
 
         self.case, self.runs = case, lines
+        self.folder = tempfile.TemporaryDirectory()
+        self.states: dict[int, str] = {}
         self.line, self.motion = lines.LINES[case.line], lines.MOTIONS[f"{case.line}-{case.motion}"]
 
     def places(self, t: np.ndarray) -> np.ndarray:
         """Positions of the fairlead, m."""
         return self.runs.place(self.motion, self.line["fairlead_m"], t)
 
-    def relaxed(self, segments: int) -> tuple[float, float]:
-        """Step and threshold of the relaxation to rest."""
-        known = self.runs.AT_REST[self.case.line]
-        return known[min((one for one in known if one >= segments), default=max(known))]
+    def state(self, segments: int) -> str:
+        """File of the line at rest, which takes MoorDyn longer than the run."""
+        if segments not in self.states:
+            known = self.runs.AT_REST[self.case.line]
+            relaxed = known[min((one for one in known if one >= segments), default=max(known))]
+            folder = Path(self.folder.name) / str(segments)
+            folder.mkdir()
+            self.states[segments] = self.runs.rest(self.line, segments, relaxed, str(folder))
+        return self.states[segments]
 
     def advance(self, segments: int, step_s: float, until_s: float) -> tuple[np.ndarray, np.ndarray]:
         """Run with coarse calls; returns the force at the fairlead, N, and the processor time, s, of each
         second."""
-        moordyn, line = self.runs.moordyn, self.line
+        moordyn, line, state = self.runs.moordyn, self.line, self.state(segments)
         damping = line["axial_stiffness_N"] * line["damping_time_s"]
         forces, used = [], []
-        with tempfile.TemporaryDirectory() as folder:
-            state = self.runs.rest(line, segments, self.relaxed(segments), folder)
-            with self.runs._system(self.runs.deck(line, segments, step_s, damping), folder) as system:
-                moordyn.SetVerbosity(system, moordyn.LEVEL_NONE)
-                moordyn.Init_NoIC(system, line["fairlead_m"], [0.0, 0.0, 0.0])
-                moordyn.LoadState(system, state)
-                for second in range(math.ceil(until_s)):
-                    t = second + CALL_S * np.arange(round(1 / CALL_S) + 1)
-                    x = self.places(t)
-                    v = np.diff(x, axis=0) / CALL_S
-                    begun = time.process_time()
-                    for at, to, now in zip(x.tolist(), v.tolist(), t.tolist(), strict=False):
-                        force = moordyn.Step(system, at, to, now, CALL_S)
-                    used.append(time.process_time() - begun)
-                    forces.append(np.linalg.norm(force))
+        with (
+            tempfile.TemporaryDirectory() as folder,
+            self.runs._system(self.runs.deck(line, segments, step_s, damping), folder) as system,
+        ):
+            moordyn.SetVerbosity(system, moordyn.LEVEL_NONE)
+            moordyn.Init_NoIC(system, line["fairlead_m"], [0.0, 0.0, 0.0])
+            moordyn.LoadState(system, state)
+            for second in range(math.ceil(until_s)):
+                t = second + CALL_S * np.arange(round(1 / CALL_S) + 1)
+                x = self.places(t)
+                v = np.diff(x, axis=0) / CALL_S
+                begun = time.process_time()
+                for at, to, now in zip(x.tolist(), v.tolist(), t.tolist(), strict=False):
+                    force = moordyn.Step(system, at, to, now, CALL_S)
+                used.append(time.process_time() - begun)
+                forces.append(np.linalg.norm(force))
         return np.array(forces), np.array(used)
 
     def longest_step(self, segments: int) -> float:
@@ -213,8 +222,8 @@ class MoorDyn:
             with self.runs._quiet():
                 step_s = self.longest_step(segments)
                 _, used = self.advance(segments, step_s, 2 * case.timed_s)
-            steps = step_s, self.relaxed(segments)
-            whole = self.runs.follow(self.line, segments, steps, self.places, case.kept["duration_s"])
+            start = step_s, self.state(segments)
+            whole = self.runs.moved(self.line, segments, start, self.places, case.kept["duration_s"])
             found = whole[::apart]
             errors = case.error(found, refined), case.error(found, theirs)
             yield Figure("moordyn", case.line, segments, step_s, used[round(case.timed_s) :].min(), *errors)

@@ -255,28 +255,42 @@ def follow(
     """Tension at the fairlead every 0.05 s, N, of a line whose fairlead is at these places at given times, by
     this step, and the step and threshold of the relaxation."""
     step_s, relaxed = steps
+    with tempfile.TemporaryDirectory() as folder:
+        return moved(line, segments, (step_s, rest(line, segments, relaxed, folder)), places, duration_s)
+
+
+def moved(
+    line: dict[str, Any],
+    segments: int,
+    start: tuple[float, str],
+    places: Callable[[np.ndarray], np.ndarray],
+    duration_s: float,
+) -> np.ndarray:
+    """Tension as of `follow`, by this step, from the state in this file."""
+    step_s, state = start
     per_sample, apart = round(EVERY_S / step_s), 1e-3
     damping = line["axial_stiffness_N"] * line["damping_time_s"]
-    with tempfile.TemporaryDirectory() as folder:
-        state = rest(line, segments, relaxed, folder)
-        with _system(deck(line, segments, step_s, damping), folder) as system:
-            with _quiet():
-                moordyn.Init_NoIC(system, line["fairlead_m"], [0.0, 0.0, 0.0])
-                moordyn.LoadState(system, state)
-            chain, tensions, before = moordyn.GetLine(system, 1), [], None
-            for sample in range(round(duration_s / EVERY_S) + 1):
-                t = sample * EVERY_S + step_s * np.arange(per_sample + 1)
-                x = places(t)
-                v = (np.diff(x, axis=0) / step_s).tolist()
-                for i, (at, to) in enumerate(zip(x.tolist(), v, strict=False)):
-                    force = np.array(moordyn.Step(system, at, to, float(t[i]), step_s)[:3])
-                    if i == 0:
-                        after, mass = force, np.array(moordyn.GetLineNodeM(chain, segments))
-                near = places(t[0] + apart * np.array([-1.0, 0.0, 1.0]))
-                acceleration = (near[0] - 2 * near[1] + near[2]) / apart**2
-                mean = after if before is None else (before + after) / 2
-                tensions.append(float(np.linalg.norm(mean - mass @ acceleration)))
-                before = force
+    with (
+        tempfile.TemporaryDirectory() as folder,
+        _system(deck(line, segments, step_s, damping), folder) as system,
+    ):
+        with _quiet():
+            moordyn.Init_NoIC(system, line["fairlead_m"], [0.0, 0.0, 0.0])
+            moordyn.LoadState(system, state)
+        chain, tensions, before = moordyn.GetLine(system, 1), [], None
+        for sample in range(round(duration_s / EVERY_S) + 1):
+            t = sample * EVERY_S + step_s * np.arange(per_sample + 1)
+            x = places(t)
+            v = (np.diff(x, axis=0) / step_s).tolist()
+            for i, (at, to) in enumerate(zip(x.tolist(), v, strict=False)):
+                force = np.array(moordyn.Step(system, at, to, float(t[i]), step_s)[:3])
+                if i == 0:
+                    after, mass = force, np.array(moordyn.GetLineNodeM(chain, segments))
+            near = places(t[0] + apart * np.array([-1.0, 0.0, 1.0]))
+            acceleration = (near[0] - 2 * near[1] + near[2]) / apart**2
+            mean = after if before is None else (before + after) / 2
+            tensions.append(float(np.linalg.norm(mean - mass @ acceleration)))
+            before = force
     return np.array(tensions)
 
 
