@@ -90,7 +90,7 @@ class Case:
 
 CASES = (
     Case("wire", "half", verified.wire, (4, 6, 8), (0.05, 0.025), (40, 0.005), (20, 40)),
-    Case("chain", "small", verified.chain, (10, 20, 40), (0.05, 0.025), (160, 0.0125), (20, 40, 80)),
+    Case("chain", "small", verified.chain, (10, 20, 40, 60), (0.05, 0.025), (160, 0.0125), (20, 40, 80)),
 )
 QUICK = (Case("wire", "half", verified.wire, (2,), (0.05,), (4, 0.05), (4,), 2.0),)
 
