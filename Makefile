@@ -83,6 +83,7 @@ test-python: $(DEVELOP) $(APP) ## the Python package's tests
 bench: need-rust need-node need-python $(DONE)/wheel-develop $(WASM) ## compare speed with other engines
 	$(BIN)/python benches/run.py
 	$(BIN)/python benches/control.py
+	$(BIN)/python benches/lines.py
 
 wasm: $(WASM) ## the engine for the browser
 

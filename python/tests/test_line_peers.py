@@ -9,7 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from kingpost import verify
-from kingpost.verify import lines, rows, running
+from kingpost.simulation.simulate import run
+from kingpost.verify import chain_tensions, lines, moored_lines, rows, running
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "validation.md"
 KEPT = lines.kept()
@@ -43,16 +44,56 @@ def test_the_catenary_of_the_chain_is_that_of_its_equations() -> None:
     assert np.hypot(pull, lift) == pytest.approx(2_435_559.7, abs=0.1)
 
 
-def test_the_stored_runs_name_their_origin() -> None:
-    script = Path(__file__).parent / "peers" / "lines.py"
-    assert json.dumps(KEPT["command"])[1:-1] in script.read_text(encoding="utf-8")
+@pytest.mark.parametrize("name", ["lines", "fairleads", "moored_lines"])
+def test_the_stored_runs_name_their_origin(name) -> None:
+    script = (Path(__file__).parent / "peers" / f"{name}.py").read_text(encoding="utf-8")
+    assert json.dumps(moored_lines.kept(name)["command"])[1:-1] in script
+
+
+@pytest.mark.parametrize("depth_m", chain_tensions.CASES)
+def test_chains_at_rest_have_the_tension_of_their_equations_and_about_the_published_one(depth_m) -> None:
+    """Source: elastic catenary, and MoorDyn's `quasi_static_chain`."""
+    exact, published = chain_tensions.closed_form(depth_m), chain_tensions.CASES[depth_m]["published_N"]
+    assert chain_tensions.massless(depth_m) == pytest.approx(exact, rel=1e-12)
+    assert chain_tensions.with_mass(depth_m) == pytest.approx(exact, rel=2e-4)
+    assert exact == pytest.approx(published, rel=1.1e-2)
+
+
+@pytest.mark.parametrize("sea", moored_lines.kept("fairleads")["heights_m"])
+@pytest.mark.parametrize("side", moored_lines.SIDES)
+def test_more_segments_change_little_in_the_stored_runs_of_a_moored_ship(side, sea) -> None:
+    """Source: the stored runs, with 40 and 80 segments."""
+    coarse, fine = moored_lines.kept("moored_lines")["lines"][side][sea]["segments"].values()
+    for figure, bound in (("std_N", 5e-3), ("max_N", 5e-3), ("min_N", 1.5e-2)):
+        assert abs(coarse[figure] - fine[figure]) < bound * (
+            coarse["mean_N"] if figure == "min_N" else coarse[figure]
+        )
+
+
+@pytest.mark.parametrize("figure", moored_lines.FIGURES)
+def test_the_chain_of_a_moored_ship_pulls_as_in_moordyn(figure) -> None:
+    """Source: the stored runs."""
+    for segments in (40, 80):
+        assert moored_lines.compared("leeward", "moderate", figure, segments).error < 5e-3
+
+
+def test_a_motion_is_that_of_its_speeds() -> None:
+    """Source: the integral of straight lines between the speeds."""
+    given = moored_lines.kept("fairleads")
+    motion = given["motions"]["high"]["leeward"]
+    speeds = 1e-3 * np.array(motion["speed_z_mm_s"])
+    ends = motion["start_m"][2] + given["every_s"] * (speeds.sum() - speeds[-1] / 2)
+    found = run(moored_lines.moored("leeward", "high", elements=4))
+    assert found["joint_position"].sel(coordinate="fairlead").values[-1] + motion["start_m"][2] == (
+        pytest.approx(ends, abs=1e-9)
+    )
 
 
 @pytest.mark.thorough
 def test_the_page_agrees_with_the_present_results_of_lines() -> None:
     """Source: the rows; the page has bounds of their differences."""
     page = PAGE.read_text(encoding="utf-8").split("### Lines with mass")[1].split("\n## ")[0]
-    printed = dict(re.findall(r"^\| .*\| `([a-z-]+)` \| ([\d.e-]+) \|$", page, re.MULTILINE))
+    printed = dict(re.findall(r"^\| .*\| `([a-z0-9-]+)` \| ([\d.e-]+) \|$", page, re.MULTILINE))
     found = {one.id: one for one in running.checks("lines")}
     assert set(printed) == set(found)
     for name, bound in printed.items():

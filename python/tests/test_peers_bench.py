@@ -71,3 +71,15 @@ def test_instructions_grow_linearly_with_the_links_of_a_chain(lines: list[str]) 
     counts = [float(count.replace(",", "")) for count in re.findall(r"([0-9,]+) to", growth[0])]
     assert len(counts) == 2
     assert max(counts) < 1.02 * min(counts), growth
+
+
+def test_the_bench_of_lines_prints_readable_lines() -> None:
+    command = [sys.executable, str(SCRIPT.with_name("lines.py")), "--quick"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    rows = [line.split("|") for line in done.stdout.splitlines() if not line.startswith("#")]
+    engines = {"kingpost", "moordyn"} if importlib.util.find_spec("moordyn") else {"kingpost"}
+    assert {row[0] for row in rows} == engines
+    assert {row[1] for row in rows} == {"wire", "moored_ship_lines", "moored_ship_catenaries"}
+    for row in rows:
+        assert all(float(number) > 0.0 for number in row[2:] if number != "-")

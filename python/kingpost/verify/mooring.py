@@ -22,7 +22,7 @@ HELD = {
 }
 
 
-def _line(
+def resting_line(
     across: float, up: float, length: float, weight: float, stiffness: float, seabed: bool
 ) -> Simulation:
     """A line from a buoy at the origin to an anchor at a given distance and depth."""
@@ -42,7 +42,7 @@ def _touching(stiffness: float) -> Simulation:
     pull, weight, height = 3e5, 1e3, 100.0
     hanging = math.sqrt(height**2 + 2 * height * pull / weight)
     across = 500.0 - hanging + pull / weight * math.asinh(weight * hanging / pull)
-    return _line(across, height, 500.0, weight, stiffness, True)
+    return resting_line(across, height, 500.0, weight, stiffness, True)
 
 
 INEXTENSIBLE = "no stretch: T / EA = 4e-10 of the length, 25 times that in the tension of a line so taut"
@@ -118,7 +118,7 @@ def elastic_span(
 def catenary_elastic() -> Compared:
     pull, lift, weight, length, stiffness = 2e5, 1.5e5, 250.0, 400.0, 2e7
     across, up = elastic_span((pull, lift), weight, length, stiffness)
-    simulation = _line(across, up, length, weight, stiffness, False)
+    simulation = resting_line(across, up, length, weight, stiffness, False)
     return Compared(value(simulation, "line_tension", "line"), math.hypot(pull, lift))
 
 
@@ -135,7 +135,7 @@ def catenary_level() -> Compared:
     weight, across, pull = 500.0, 200.0, 1e5
     half = weight * across / (2 * pull)
     length = 2 * pull / weight * math.sinh(half)
-    simulation = _line(across, 0.0, length, weight, 1e13, False)
+    simulation = resting_line(across, 0.0, length, weight, 1e13, False)
     return Compared(value(simulation, "line_tension", "line"), pull * math.cosh(half))
 
 
@@ -254,5 +254,5 @@ def moorpy_line() -> Compared:
     across, up, length, weight, stiffness = 820.0, 250.0, 902.2, 698.094, 384.243e6
     found = catenary(across, up, length, stiffness, weight, CB=0.0, Tol=1e-9)
     theirs = math.hypot(found[2], found[3])
-    simulation = _line(across, up, length, weight, stiffness, True)
+    simulation = resting_line(across, up, length, weight, stiffness, True)
     return Compared(value(simulation, "line_tension", "line"), theirs)

@@ -18,6 +18,8 @@ FURTHER = (
     "wave_energy",
     "swimming",
     "lowering",
+    "moored_lines",
+    "chain_tensions",
 )
 FILES = (*AREAS, *FURTHER)
 """The modules of the rows: one for each area, and some for further rows."""

@@ -26,7 +26,7 @@ import json
 import os
 import re
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from importlib.metadata import version
 from pathlib import Path
@@ -111,8 +111,19 @@ AT_REST = {
 }
 """Step and threshold of MoorDyn's relaxation to rest."""
 EVERY_S = 0.05
+SLIDING_M_S = 0.01
+"""Speed at which a node that rests on the bottom slides, where there is friction."""
 KEPT = 5
 """Of the samples every 0.05 s, from which the statistics are, each fifth is kept."""
+
+
+def friction(line: dict[str, Any], segments: int) -> str:
+    """Coulomb friction of MoorDyn: below the sliding speed it is viscous, by a constant for all nodes."""
+    if "friction" not in line:
+        return "0.0 FrictionCoefficient"
+    water = SEA["density_kg_m3"] * np.pi / 4 * line["diameter_m"] ** 2
+    node = (line["mass_kg_per_m"] - water) * SEA["gravity_m_s2"] * line["unstretched_length_m"] / segments
+    return f"{line['friction']!r} FrictionCoefficient\n{float(node / SLIDING_M_S)!r} FricDamp"
 
 
 def deck(line: dict[str, Any], segments: int, step_s: float, damping: float, options: str = "") -> str:
@@ -151,7 +162,7 @@ ID LineType AttachA AttachB UnstrLen NumSegs LineOutputs
 {line["depth_m"]!r} WtrDpth
 {SEA["ground_stiffness_N_per_m3"]!r} kBot
 {SEA["ground_damping_N_s_per_m3"]!r} cBot
-0.0 FrictionCoefficient
+{friction(line, segments)}
 0 WaveKin
 1 disableOutput
 1 disableOutTime
@@ -196,10 +207,11 @@ def _system(text: str, folder: str) -> Iterator[Any]:
         moordyn.Close(system)
 
 
-def rest(name: str, segments: int, folder: str) -> str:
-    """Let MoorDyn find the line at rest; returns the file of this state."""
-    line = LINES[name]
-    step_s, threshold = AT_REST[name][segments]
+def rest(line: dict[str, Any], segments: int, relaxed: tuple[float, float], folder: str) -> str:
+    """Let MoorDyn find the line at rest, without friction, by this step and threshold; returns the file of
+    this state."""
+    step_s, threshold = relaxed
+    line = {name: value for name, value in line.items() if name != "friction"}
     options = f"{threshold} threshIC\n20000 TmaxIC\n1.0 dtIC\n"
     damping = -0.5 if "anchor_m" in line else line["axial_stiffness_N"] * line["damping_time_s"]
     state = str(Path(folder) / "rest.ic")
@@ -224,29 +236,61 @@ def place(motion: dict[str, Any], fairlead: list[float], t: np.ndarray) -> np.nd
 
 def run(name: str, segments: int, step_s: float, duration_s: float | None = None) -> np.ndarray:
     """Tension at the fairlead every 0.05 s of a motion, N."""
-    line, motion = LINES[name.split("-")[0]], MOTIONS[name]
-    steps, apart = round(EVERY_S / step_s), 1e-3
-    damping = line["axial_stiffness_N"] * line["damping_time_s"]
+    of, motion = name.split("-")[0], MOTIONS[name]
+    line = LINES[of]
+
+    def places(t: np.ndarray) -> np.ndarray:
+        return place(motion, line["fairlead_m"], t)
+
+    return follow(line, segments, (step_s, AT_REST[of][segments]), places, duration_s or motion["duration_s"])
+
+
+def follow(
+    line: dict[str, Any],
+    segments: int,
+    steps: tuple[float, tuple[float, float]],
+    places: Callable[[np.ndarray], np.ndarray],
+    duration_s: float,
+) -> np.ndarray:
+    """Tension at the fairlead every 0.05 s, N, of a line whose fairlead is at these places at given times, by
+    this step, and the step and threshold of the relaxation."""
+    step_s, relaxed = steps
     with tempfile.TemporaryDirectory() as folder:
-        state = rest(name.split("-")[0], segments, folder)
-        with _system(deck(line, segments, step_s, damping), folder) as system:
-            with _quiet():
-                moordyn.Init_NoIC(system, line["fairlead_m"], [0.0, 0.0, 0.0])
-                moordyn.LoadState(system, state)
-            chain, tensions, before = moordyn.GetLine(system, 1), [], None
-            for sample in range(round((duration_s or motion["duration_s"]) / EVERY_S) + 1):
-                t = sample * EVERY_S + step_s * np.arange(steps + 1)
-                x = place(motion, line["fairlead_m"], t)
-                v = (np.diff(x, axis=0) / step_s).tolist()
-                for i, (at, to) in enumerate(zip(x.tolist(), v, strict=False)):
-                    force = np.array(moordyn.Step(system, at, to, float(t[i]), step_s)[:3])
-                    if i == 0:
-                        after, mass = force, np.array(moordyn.GetLineNodeM(chain, segments))
-                near = place(motion, line["fairlead_m"], t[0] + apart * np.array([-1.0, 0.0, 1.0]))
-                acceleration = (near[0] - 2 * near[1] + near[2]) / apart**2
-                mean = after if before is None else (before + after) / 2
-                tensions.append(float(np.linalg.norm(mean - mass @ acceleration)))
-                before = force
+        return moved(line, segments, (step_s, rest(line, segments, relaxed, folder)), places, duration_s)
+
+
+def moved(
+    line: dict[str, Any],
+    segments: int,
+    start: tuple[float, str],
+    places: Callable[[np.ndarray], np.ndarray],
+    duration_s: float,
+) -> np.ndarray:
+    """Tension as of `follow`, by this step, from the state in this file."""
+    step_s, state = start
+    per_sample, apart = round(EVERY_S / step_s), 1e-3
+    damping = line["axial_stiffness_N"] * line["damping_time_s"]
+    with (
+        tempfile.TemporaryDirectory() as folder,
+        _system(deck(line, segments, step_s, damping), folder) as system,
+    ):
+        with _quiet():
+            moordyn.Init_NoIC(system, line["fairlead_m"], [0.0, 0.0, 0.0])
+            moordyn.LoadState(system, state)
+        chain, tensions, before = moordyn.GetLine(system, 1), [], None
+        for sample in range(round(duration_s / EVERY_S) + 1):
+            t = sample * EVERY_S + step_s * np.arange(per_sample + 1)
+            x = places(t)
+            v = (np.diff(x, axis=0) / step_s).tolist()
+            for i, (at, to) in enumerate(zip(x.tolist(), v, strict=False)):
+                force = np.array(moordyn.Step(system, at, to, float(t[i]), step_s)[:3])
+                if i == 0:
+                    after, mass = force, np.array(moordyn.GetLineNodeM(chain, segments))
+            near = places(t[0] + apart * np.array([-1.0, 0.0, 1.0]))
+            acceleration = (near[0] - 2 * near[1] + near[2]) / apart**2
+            mean = after if before is None else (before + after) / 2
+            tensions.append(float(np.linalg.norm(mean - mass @ acceleration)))
+            before = force
     return np.array(tensions)
 
 
