@@ -12,7 +12,7 @@ bodies:
   buoy:
     mass_t: 5
     shape: {sphere: {radius_m: 1}}
-    joint: {prismatic: {axis: [0, 0, 1], mode: {oscillation: {amplitude_m: 1, period_s: 6}}}}
+    joint: {prismatic: {axis: [0, 0, 1], mode: {oscillation: {amplitude_m: 1, period_s: 6, ramp_s: 2}}}}
 forces:
   gravity: {gravity: {}}
   chain:
