@@ -161,7 +161,7 @@ export function channelOf(variable: string, dims: string[] = [], labels: string[
   const each = columns.map((_, i) => units[i % units.length]);
   const unit = each.every((one) => one === each[0]) ? each[0] : null;
   const of_elements = dims.length > 0 && !OF_THE_MODEL.includes(dims[0]);
-  return { variable, of_elements, long_name: variable.replaceAll("_", " "), description: "", unit, units: each, frame: "none", dims, labels, column, columns, offset, len: columns.length };
+  return { variable, of_elements, long_name: variable.replaceAll("_", " "), description: "", unit, units: each, frame: "none", dims, labels, column, columns, along: null, offset, len: columns.length };
 }
 
 export const CHANNELS: Channel[] = [

@@ -11,6 +11,7 @@ import { DrawnLines } from "./lines";
 import type { Palette } from "./palette";
 import { boxOf, edgesOf, shapedHullOf, solidOf } from "./solids";
 import { Stays } from "./stays";
+import type { Tints } from "./tension";
 
 /** Data of a run that are needed to draw it. */
 export type Shown = Pick<Run, "model" | "lines">;
@@ -59,6 +60,11 @@ export class Fleet {
     this.linkages?.place();
     this.lines?.place(line_points);
     this.stays?.place(this.bodies);
+  }
+
+  /** Colours lines by the tension along them. */
+  tint(tints: readonly Tints[]): void {
+    this.lines?.tint(tints);
   }
 
   /** The longest diagonal of a body's solid, m. */

@@ -5,6 +5,7 @@ import { LineGeometry } from "three/addons/lines/LineGeometry.js";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import type { DrawnLine } from "../engine/engine";
 import type { Palette } from "./palette";
+import type { Tints } from "./tension";
 
 /** Width of a line that is too thin to be drawn to scale, pixels; it stays visible from a distance. */
 const WIDTH_PX = 2.2;
@@ -15,6 +16,12 @@ const ALONG = new Vector3(0, 1, 0);
 /** Radius and length of the collar at the end of a cylinder's barrel, relative to the radius of the barrel. */
 const COLLAR = { radius: 1.22, length: 1.1 };
 
+/** Width of a line that is coloured along it, pixels: its colours need some width to be told apart. */
+const TINTED_WIDTH_PX = 3.2;
+
+/** Colours from a slack line to the largest tension. */
+type Ramp = Pick<Palette, "slack" | "taut" | "tautest">;
+
 /** Places a line along its points: x y z of each. */
 type Lay = (points: ArrayLike<number>, from: number) => void;
 
@@ -23,12 +30,12 @@ type Lay = (points: ArrayLike<number>, from: number) => void;
  * another.
  */
 export class DrawnLines {
-  private readonly drawn: { lay: Lay; points: number }[];
+  private readonly drawn: { lay: Lay; points: number; thread?: Line2 }[];
   private readonly tubes: Instances | null;
   private readonly pins: Instances | null;
 
   /** Adds the lines to the world. */
-  constructor(lines: readonly DrawnLine[], world: Group, palette: Pick<Palette, DrawnLine["style"]>) {
+  constructor(lines: readonly DrawnLine[], world: Group, private readonly palette: Pick<Palette, DrawnLine["style"]> & Ramp) {
     const isTube = ({ points, radius_m }: DrawnLine) => points > 1 && radius_m > 0;
     const collars = lines.filter(({ style }) => style === "barrel").length;
     this.tubes = Instances.of(lines.filter(isTube).length + collars, new CylinderGeometry(1, 1, 1, 20).translate(0, 0.5, 0), world);
@@ -36,7 +43,10 @@ export class DrawnLines {
     this.drawn = lines.map((line) => {
       const colour = palette[line.style];
       if (line.points === 1) return { lay: this.pins!.ball(line.radius_m, colour), points: 1 };
-      if (!isTube(line)) return { lay: threadOf(line.points, colour, world), points: line.points };
+      if (!isTube(line)) {
+        const thread = threadOf(line.points, colour, world);
+        return { lay: layOf(thread, line.points), points: line.points, thread };
+      }
       return { lay: this.tubes!.tube(line.radius_m, colour, line.style === "barrel"), points: line.points };
     });
   }
@@ -50,6 +60,23 @@ export class DrawnLines {
     }
     for (const instances of [this.tubes, this.pins]) instances?.changed();
   }
+
+  /** Colours lines along their points. */
+  tint(tints: readonly Tints[]): void {
+    for (const { at, shares } of tints) {
+      const { thread } = this.drawn[at];
+      if (!thread) continue;
+      const colours = Float32Array.from({ length: 3 * shares.length }, () => 0);
+      shares.forEach((share, i) => tint(share, this.palette).toArray(colours, 3 * i));
+      paint(thread, colours);
+    }
+  }
+}
+
+/** Returns the colour of a share of the largest tension. */
+function tint(share: number, { slack, taut, tautest }: Ramp): Color {
+  const [from, to] = share < 0.5 ? [slack, taut] : [taut, tautest];
+  return from.clone().lerp(to, Math.min(1, share < 0.5 ? 2 * share : 2 * share - 1));
 }
 
 /** Solids of one shape with different sizes and colours, as one mesh. */
@@ -105,12 +132,16 @@ class Instances {
   }
 }
 
-function threadOf(count: number, colour: Color, world: Group): Lay {
+function threadOf(count: number, colour: Color, world: Group): Line2 {
   const geometry = new LineGeometry();
   geometry.setPositions(new Float32Array(3 * count));
   const object = new Line2(geometry, new LineMaterial({ color: colour, linewidth: WIDTH_PX }));
   object.frustumCulled = false;
   world.add(object);
+  return object;
+}
+
+function layOf({ geometry }: Line2, count: number): Lay {
   const { data } = geometry.getAttribute("instanceStart") as InterleavedBufferAttribute;
   return (points, from) => {
     // Each part of a line stores both of its ends.
@@ -119,6 +150,23 @@ function threadOf(count: number, colour: Color, world: Group): Lay {
     }
     data.needsUpdate = true;
   };
+}
+
+/** Colours a line at its points: red, green and blue of each. */
+function paint({ geometry, material }: Line2, colours: Float32Array): void {
+  if (!geometry.hasAttribute("instanceColorStart")) {
+    geometry.setColors(colours);
+    material.vertexColors = true;
+    material.color.set(0xffffff);
+    material.linewidth = TINTED_WIDTH_PX;
+    material.needsUpdate = true;
+    return;
+  }
+  const { data } = geometry.getAttribute("instanceColorStart") as InterleavedBufferAttribute;
+  for (let part = 0; 6 * part < data.array.length; part++) {
+    for (let k = 0; k < 6; k++) data.array[6 * part + k] = colours[3 * part + k];
+  }
+  data.needsUpdate = true;
 }
 
 function point(points: ArrayLike<number>, from: number): Vector3 {

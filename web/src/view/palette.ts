@@ -15,6 +15,11 @@ export interface Palette {
   pin: Color;
   line: Color;
   grid: Color;
+  seabed: Color;
+  /** Colours of a line without tension, at half of its largest tension, and at the largest. */
+  slack: Color;
+  taut: Color;
+  tautest: Color;
   /** Colours of the air and the water, the zenith first. */
   zenith: Color;
   haze: Color;
@@ -52,6 +57,10 @@ export function readPalette(): Palette {
     pin: colour("--scene-pin"),
     line: colour("--scene-line"),
     grid: colour("--scene-grid"),
+    seabed: colour("--scene-seabed"),
+    slack: colour("--tension-slack"),
+    taut: colour("--tension-half"),
+    tautest: colour("--tension-largest"),
     zenith: colour("--scene-zenith"),
     haze: colour("--scene-haze"),
     sun: colour("--scene-sun"),

@@ -10,6 +10,8 @@ import type { Highlight } from "../equations/highlight";
 import { texts } from "../texts";
 import { byId, setText } from "../ui/dom";
 import { Watched } from "./overlays/watched";
+import { Tensions } from "./tension";
+import { TensionLegend } from "./tension_legend";
 import { Tools } from "./tools";
 import { View } from "./view";
 
@@ -41,10 +43,18 @@ export function createScene(session: Session, background: BackgroundEngine): Sce
   showLosses(byId("canvas"), view);
   const watched = new Watched(session, background, view);
   const tools = new Tools(view, watched);
+  const legend = new TensionLegend();
+  let tensions: Tensions | null = null;
   byId("fit").addEventListener("click", () => view.fit());
   session.listen({
     opened: (run, frame, isAnother) => {
+      tensions = new Tensions(run.lines, run.channels);
+      const tints = tensions.read(frame.row);
+      view.showTensions([]);
+      // The view fits the ship beside the legend.
+      legend.show(tensions);
       view.build(run, frame, isAnother);
+      view.showTensions(tints);
       view.showSea(frame.surface);
       tools.offer();
       setText(byId("scene-note"), noteOf(run.model, view.spacing()));
@@ -62,6 +72,8 @@ export function createScene(session: Session, background: BackgroundEngine): Sce
       if (moment && moment.poses !== drawn) {
         view.show(moment);
         view.showSea(moment.surface);
+        if (tensions) view.showTensions(tensions.read(moment.row));
+        legend.show(tensions);
         watched.show(moment);
         drawn = moment.poses;
       }

@@ -18,6 +18,8 @@ const ROUGH_LINES = 20;
 const TILE = 0.16;
 const RIPPLE_SLOPE = { waves: 0.16, still: 0.05 };
 const DRIFT_PER_S = 0.03;
+/** Share of the light from below the surface, seen steeply: of the usual sea, and of one above lines whose colours matter. */
+const CLARITY = { usual: 0.26, above_lines: 0.8 };
 /** Distance of the haze, in lengths of the hull. */
 const VISIBILITY = 45;
 /** Largest time step of the ripples per frame, s, so that they do not jump after a pause. */
@@ -75,7 +77,7 @@ const FRAGMENT = /* glsl */ `
     }
   #else
     uniform vec2 edgeMiddle;
-    uniform float edge_m;
+    uniform float edge_m, clarity;
     ${SKY_GLSL}
     ${WATER_GLSL}
     // Foam breaks up into streaks and flecks.
@@ -96,7 +98,7 @@ const FRAGMENT = /* glsl */ `
         float foam = flecked(cover.x, place.xy);
         vec3 colour = hazed(waterColour(-towards, normal, cover.y, foam, light), towards, distance_m);
         // Seen steeply from above, the surface is partly transparent.
-        float seenThrough = 0.26 * smoothstep(0.05, 0.75, -towards.z) * (1.0 - foam);
+        float seenThrough = clarity * smoothstep(0.05, 0.75, -towards.z) * (1.0 - foam);
         float end = 1.0 - smoothstep(0.8 * edge_m, edge_m, length(place.xy - edgeMiddle));
         gl_FragColor = vec4(colour, (1.0 - seenThrough) * end);
       }
@@ -133,6 +135,7 @@ export class Sea extends Mesh<BufferGeometry, ShaderMaterial> {
       crestHeight_m: { value: 1 },
       edge_m: { value: 1 },
       edgeMiddle: { value: [0, 0] },
+      clarity: { value: CLARITY.usual },
     };
     this.frustumCulled = false;
     this.receiveShadow = true;
@@ -163,6 +166,11 @@ export class Sea extends Mesh<BufferGeometry, ShaderMaterial> {
     foam.array.set(drawn.foam);
     for (const one of [position, slope, foam]) one.needsUpdate = true;
     this.suit(drawn);
+  }
+
+  /** Makes the water clear enough for the colours of lines below the surface. */
+  showBelow(isClear: boolean): void {
+    this.material.uniforms.clarity.value = isClear ? CLARITY.above_lines : CLARITY.usual;
   }
 
   /** Whether there is a sea, visible or not. */

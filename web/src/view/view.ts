@@ -22,9 +22,11 @@ import { readPalette } from "./palette";
 import type { Palette } from "./palette";
 import { Drawing } from "./quality";
 import { Sea } from "./sea";
+import { Seabed } from "./seabed";
 import { Section } from "./section";
 import { withFrame } from "./solids";
 import { gridSpacing } from "./spacing";
+import type { Tints } from "./tension";
 import { labelScale, triadOf } from "./triad";
 
 /** Largest height of a label of a body frame, pixels. */
@@ -55,12 +57,14 @@ export class View {
   private readonly drawing: Drawing;
   private readonly fleet = new Fleet();
   private readonly section = new Section();
+  private readonly seabed = new Seabed();
   readonly overlays = new Overlays(this.fleet);
   private palette: Palette = readPalette();
   private run: Shown | null = null;
   /** Poses at the start of the run. */
   private start: Pose = { poses: [], line_points: [] };
   private frame: Pose = { poses: [], line_points: [] };
+  private tints: readonly Tints[] = [];
   private isPlain = false;
   mayDive = false;
   camera: CameraName = "free";
@@ -82,7 +86,7 @@ export class View {
     this.eye = new Eye(canvas, () => (this.stale = true), () => coversOf(canvas), () => this.fit());
     this.daylight = new Daylight(this.renderer, this.air);
     this.drawing = Drawing.of(this.renderer);
-    this.scene.add(this.ground, this.sea, this.daylight, this.fleet.world, this.section, this.marks.group, this.overlays, this.cloud);
+    this.scene.add(this.ground, this.sea, this.daylight, this.fleet.world, this.seabed, this.section, this.marks.group, this.overlays, this.cloud);
     this.light();
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
     onPalette(() => this.repaint());
@@ -94,6 +98,8 @@ export class View {
     this.run = run;
     this.frame = frame;
     this.fleet.build(run, this.start, this.palette, this.isPlain);
+    this.seabed.place(run.lines, frame.line_points);
+    this.fleet.tint(this.tints);
     const axes = this.framesShown ? FRAME_LENGTH * this.fleet.size : 0;
     this.eye.watch(this.fleet.drawn.map((box) => withFrame(box, 1.3 * axes)), frame.poses);
     if (axes > 0) this.addFrames(axes);
@@ -192,6 +198,14 @@ export class View {
     this.place(frame);
   }
 
+  /** Colours lines by the tension along them. */
+  showTensions(tints: readonly Tints[]): void {
+    this.tints = tints;
+    this.fleet.tint(tints);
+    this.sea.showBelow(tints.length > 0);
+    this.stale = true;
+  }
+
   showFrames(shown: boolean): void {
     this.framesShown = shown;
     if (this.run) this.build(this.run, this.frame, !this.eye.isTaken);
@@ -274,6 +288,7 @@ export class View {
     this.ground.paint(this.palette);
     this.daylight.paint(this.palette);
     this.section.paint(this.palette);
+    this.seabed.paint(this.palette);
     this.scene.fog?.color.copy(fogColour(this.palette));
     this.detail();
   }

@@ -1,7 +1,27 @@
 // Menus on the picture: the viewpoints, and the overlays.
 import assert from "node:assert/strict";
 import { assertAccessible } from "./axe.mjs";
-import { look, openApp, PHONE, rested, stepTo } from "./app.mjs";
+import { look, openApp, openFile, PHONE, rested, stepTo } from "./app.mjs";
+
+/** A buoy that moves up and down on a chain. */
+const CHAIN = `version: 1
+title: A buoy on a chain
+simulation: {step_s: 0.05, duration_s: 10, record_every_s: 0.5}
+sea: {depth_m: 40}
+bodies:
+  buoy:
+    mass_t: 5
+    shape: {sphere: {radius_m: 1}}
+    joint: {prismatic: {axis: [0, 0, 1], mode: {oscillation: {amplitude_m: 1, period_s: 6, ramp_s: 2}}}}
+forces:
+  gravity: {gravity: {}}
+  chain:
+    line:
+      first: {body: buoy, position_m: [0, 0, 0]}
+      second: {body: world, position_m: [60, 0, -40]}
+      sections: [{unstretched_length_m: 85, elements: 8, mass_kg_per_m: 20, diameter_m: 0.06, axial_stiffness_kN: 50000}]
+      seabed: {friction: 0.5}
+`;
 
 /** Opens a scenario of the gallery and waits until its picture is drawn. */
 async function openScenario(host, name) {
@@ -99,6 +119,23 @@ export default {
     await page.getByTestId("show-forces").evaluate((input) => input.click());
     await page.waitForFunction(() => document.querySelector("#arrow-scale").hidden);
     await close();
+  },
+
+  async "lines are coloured by the tension along them, with a legend"(host) {
+    for (const options of [{}, { viewport: PHONE }]) {
+      const { page, close } = await openApp(host, { query: "?scenario=paper", draws: true, ...options });
+      const legend = page.getByTestId("tension-legend");
+      assert.equal(await legend.isVisible(), false, "there are no lines");
+      await openFile(page, "chain.yaml", CHAIN);
+      await legend.waitFor();
+      assert.match(await legend.textContent(), /^Tension along linesslacklargest so farchain[\d.]+ kN$/);
+      assert.equal(await legend.locator("dl").isVisible(), options.viewport === undefined, "on a phone the numbers are folded");
+      const at = await legend.boundingBox();
+      const [from, to] = [at.x, at.x + at.width];
+      assert.ok(from >= 0 && to <= page.viewportSize().width, `the legend is from ${from} to ${to} pixels`);
+      await assertAccessible(page, "the legend of tensions");
+      await close();
+    }
   },
 
   async "joint axes and heights above the keel agree with the engine"(host) {

@@ -31,5 +31,6 @@ export const picture = {
     ghost: "Initial position",
   },
   scale: { force: "Force", moment: "Moment" },
+  tension: { title: "Tension along lines", slack: "slack", largest: "largest so far" },
   shown_help: "Plain shapes are the model's own solids. House, cab, rails, brackets and a boom's stays are decoration: the model has neither their weight nor their wind load.",
 };

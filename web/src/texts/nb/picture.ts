@@ -33,6 +33,7 @@ export const picture: Texts["picture"] = {
     ghost: "Startposisjon",
   },
   scale: { force: "Kraft", moment: "Moment" },
+  tension: { title: "Strekk langs liner", slack: "slakk", largest: "største hittil" },
   shown_help:
     "Enkle former er modellens egne legemer. Overbygg, førerhus, rekkverk, braketter og bommens stag er pynt: modellen har verken vekten eller vindlasten deres.",
 };

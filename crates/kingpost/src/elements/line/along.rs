@@ -63,7 +63,7 @@ impl<S: Scalar> Nodes<S> {
             let [near, far] = [above(node - 1), above(node)];
             let crossing = || near.select_below(0.0, || found, || to - half * far / (far - near));
             found = far.select_below(0.0, crossing, || found);
-            to = to - half;
+            to -= half;
         }
         above(0).select_below(0.0, || S::ZERO, || found)
     }
