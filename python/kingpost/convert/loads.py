@@ -74,9 +74,7 @@ def clump_weight(one: Point) -> dict[str, Any]:
     if one.is_bare:
         return {}
     fields = {"mass_kg": one.mass_kg, "volume_m3": one.volume_m3}
-    return {
-        "clump_weight": {**fields, "drag_area_m2": one.drag_area_m2, "added_mass": one.added_mass}
-    }
+    return {"clump_weight": {**fields, "drag_area_m2": one.drag_area_m2, "added_mass": one.added_mass}}
 
 
 def water_on_point(one: Point, name: str, deck: Deck) -> dict[str, Any]:

@@ -187,8 +187,7 @@ impl Layout {
             layout.advancing.extend(declared.advances.then_some(element));
         }
         let states = layout.states.iter().enumerate();
-        layout.motions =
-            states.filter(|(_, own)| own.advanced && !own.remembers).map(|(i, _)| ledger + i).collect();
+        layout.motions = states.filter(|(_, own)| own.advanced && !own.remembers).map(|(i, _)| ledger + i).collect();
         layout.lay_wires();
         layout
     }

@@ -138,7 +138,9 @@ bodies:
 /// Returns the tensions at the ends of a chain of two sections of this length between two points 100 m under the surface,
 /// with a clump weight between the sections.
 fn with_clump(clump: &str, length: f64, across: f64) -> [f64; 2] {
-    let section = format!("unstretched_length_m: {length}, elements: 12, mass_kg_per_m: 20, diameter_m: 0.05, axial_stiffness_N: 4.0e8");
+    let section = format!(
+        "unstretched_length_m: {length}, elements: 12, mass_kg_per_m: 20, diameter_m: 0.05, axial_stiffness_N: 4.0e8"
+    );
     let mut run = Simulation::new(setup(&format!(
         "forces:
   gravity: {{gravity: {{}}}}
@@ -191,7 +193,9 @@ fn a_buoy_at_the_surface_carries_two_catenaries() {
         let carried = 500.0 * G + 2.0 * section.force(&Span { across: 30.0, up: 100.0 + height }).vertical;
         height = diameter * (0.5 - carried / (1025.0 * G * 8.0));
     }
-    let [_, expected] = section.tensions(&section.force(&Span { across: 30.0, up: 100.0 + height }))[..2] else { unreachable!() };
+    let [_, expected] = section.tensions(&section.force(&Span { across: 30.0, up: 100.0 + height }))[..2] else {
+        unreachable!()
+    };
     for tension in tensions {
         assert!((tension / expected - 1.0).abs() < 1e-4, "{tension} {expected}");
     }

@@ -111,7 +111,8 @@ const LOWERED: Hoist = Hoist {
 fn a_lowered_load_hangs_where_the_longer_wire_holds_it() {
     let mut run = LOWERED.simulation("integrator: rk4");
     run.step(2400).expect("it does not diverge");
-    let [length, rate, tension] = ["line_length", "line_pay_out_rate", "line_tension"].map(|name| values(&mut run, name)[0]);
+    let [length, rate, tension] =
+        ["line_length", "line_pay_out_rate", "line_tension"].map(|name| values(&mut run, name)[0]);
     assert!(rate.abs() < 1e-12 && (length - 835.0).abs() < 1e-9, "{length} {rate}");
     let stretched = length * (1.0 + (60e3 + 0.5 * MASS_PER_LENGTH * length) * G / 8e8);
     let moved = values(&mut run, "joint_position")[1];
@@ -136,7 +137,10 @@ fn energy_closes_while_a_wire_is_paid_out_under_tension() {
     // The equations of the nodes conserve energy; what is left is rounding.
     let coupled = error(0.05, "integrator: rk4");
     assert!(coupled < 1e-7, "{coupled}");
-    let exact = error(0.05, "integrator: dormand_prince, dormand_prince: {absolute_tolerance: 1e-9, relative_tolerance: 1e-9, largest_step_s: 0.05}");
+    let exact = error(
+        0.05,
+        "integrator: dormand_prince, dormand_prince: {absolute_tolerance: 1e-9, relative_tolerance: 1e-9, largest_step_s: 0.05}",
+    );
     assert!(exact < 1e-9, "{exact}");
 }
 
@@ -162,5 +166,3 @@ fn friction_at_a_sheave_takes_its_share_of_the_work() {
     assert!(((worked - work) / held - 1.0).abs() < 1e-3, "{} {held}", worked - work);
     assert!(error.abs() < 1e-7 * scale, "{error} {scale}");
 }
-
-

@@ -1,8 +1,8 @@
 //! A line in the stages of an explicit scheme.
 
 use super::DynamicLine;
-use super::supply::Supplied;
 use super::step::{Booked, CONVERGED, MOST_ITERATIONS};
+use super::supply::Supplied;
 use crate::elements::{Advancing, Context, NotAdvanced};
 use crate::scalar::Scalar;
 

@@ -173,11 +173,8 @@ impl<S: Scalar> DynamicLine<S> {
     ///
     /// At rest, the nodes are where the line rests between its ends, unless the line was given another start.
     fn evaluate(&mut self, at: &Context<'_, S>) -> Option<Supplied<S>> {
-        let supplied = if at.evaluation.runs() || self.start.is_some() {
-            self.put_nodes(at, at.states)
-        } else {
-            self.rest(at)
-        };
+        let supplied =
+            if at.evaluation.runs() || self.start.is_some() { self.put_nodes(at, at.states) } else { self.rest(at) };
         self.nodes.stretch(&self.mesh);
         self.book_ends(supplied.is_some(), at);
         self.nodes.load(&self.mesh, self.ground.as_ref(), at);

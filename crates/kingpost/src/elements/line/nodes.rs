@@ -2,8 +2,8 @@
 
 use super::ground::LineGround;
 use super::mesh::{LineMesh, LineMeshElement};
-use super::section::{PartMass, WetPart};
 use super::pay_out::LineFeed;
+use super::section::{PartMass, WetPart};
 use super::strain::{GAUSS, Strained, shapes, slopes, strained, sum};
 use crate::elements::Context;
 use crate::elements::lines::length_and_direction;

@@ -100,7 +100,15 @@ impl<S: Scalar> WetPart<S> {
     pub fn dry() -> Self {
         let zero = Vector3::zero();
         let added = PartMass { across: S::ZERO, along: S::ZERO };
-        Self { tangent: zero, velocity: zero, acceleration: zero, steady: zero, added, drag: [S::ZERO; 2], stiffness: S::ZERO }
+        Self {
+            tangent: zero,
+            velocity: zero,
+            acceleration: zero,
+            steady: zero,
+            added,
+            drag: [S::ZERO; 2],
+            stiffness: S::ZERO,
+        }
     }
 
     /// Returns the part with a clump weight, whose middle is at this depth under the surface, m.

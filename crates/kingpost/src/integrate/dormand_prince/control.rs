@@ -113,13 +113,7 @@ impl Controller {
 
 /// Returns the largest ratio of a coordinate's or a rate's error to its tolerance, over all lanes; NaN if an
 /// entry is NaN. `v` contains the rates at the start, `motions` the entries of s that count; the stages are at the end.
-pub(super) fn error<S: Scalar>(
-    stages: &Stages<S>,
-    tolerances: Tolerances,
-    h: f64,
-    v: &[S],
-    motions: &[usize],
-) -> f64 {
+pub(super) fn error<S: Scalar>(stages: &Stages<S>, tolerances: Tolerances, h: f64, v: &[S], motions: &[usize]) -> f64 {
     let size = |x: S| x.select_below(0.0, || -x, || x);
     let larger = |a: S, b: S| a.select_less(b, || b, || a);
     let (absolute, relative) = (S::constant(tolerances.absolute), S::constant(tolerances.relative));
