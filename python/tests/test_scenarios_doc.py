@@ -111,7 +111,8 @@ def table(shown: Gallery) -> list[str]:
     )
     labels = {"body": "hull", "axis": "z", "quaternion": "w", "coordinate": "pendant.first",
               "joint": "pendant",
-              "component": "force_z", "point": "boom.tip", "hull": "water", "line": "line_port_bow",
+              "component": "force_z", "point": "boom.tip", "hull": "water", "line": "line_astern",
+              "line_point": "line_astern.point_8",
               "flow": "wind_on_hull", "planar": "yaw", "seen_from": "hull"}  # fmt: skip
     rows = [
         "| variable | a column | unit | frame | dimensions | what it is |",
@@ -119,7 +120,9 @@ def table(shown: Gallery) -> list[str]:
     ]
     for channel in channels:
         kinds = {dim: dim.partition("_with_")[0].upper() for dim in channel["dims"]}
-        at = {dim: labels.get(dim, f"NAME_OF_{kind}") for dim, kind in kinds.items()}
+        # No line of the page is paid out.
+        named = {} if channel["variable"] == "line_pay_out_rate" else labels
+        at = {dim: named.get(dim, f"NAME_OF_{kind}") for dim, kind in kinds.items()}
         cells = (f"`{channel['variable']}`", f"`{channel['column'].format_map(at)}`",
                  " or ".join(dict.fromkeys(channel["units"])),
                  "" if channel["frame"] == "none" else channel["frame"].replace("_", " "),

@@ -27,6 +27,7 @@ const SHOTS = {
   quayside_lift: { time_s: 5, nearer: 1 },
   barge_crane_200t: { time_s: 110 },
   subsea_lowering: { time_s: 100 },
+  deep_water_lowering: { time_s: 30 },
   lowering_by_winch: { time_s: 30, values: "waves=true", nearer: 1 },
   heave_compensation: { time_s: 60, nearer: 1 },
   hybrid_compensation: { time_s: 60, nearer: 1 },

@@ -39,7 +39,7 @@ pub struct LineMeshNode<S> {
     pub share: f64,
     /// Derivative of the length along that of the first part, if it is paid out.
     pub growth: f64,
-    /// What is fastened to it.
+    /// Clump weight or buoy that is fastened to it.
     pub clump: Option<ClumpWeight<S>>,
 }
 
@@ -71,7 +71,7 @@ pub struct LineMesh<S> {
     /// Length of the first part, and of all others, m.
     first: S,
     others: S,
-    /// What belongs to the node at the end of the first part, without that part.
+    /// Node at the end of the first part, without the length of that part.
     beyond: Option<LineMeshNode<S>>,
 }
 

@@ -43,7 +43,7 @@ pub struct Supplied<S> {
     pub length: S,
     /// Its rate, m/s.
     pub rate: S,
-    /// What is left until the first part is hauled in, m.
+    /// Length left until the first part is hauled in, m.
     pub left: S,
     /// Angle left until the innermost layer of the drum, rad.
     pub layers_left: S,
