@@ -24,13 +24,14 @@ def test_a_file_of_moorpy_becomes_a_scenario(deck, tmp_path, is_raft) -> None:
         text = "site: {g: 9.81}\nmooring:\n" + "".join(f"  {line}\n" for line in MOORPY.splitlines())
     path = deck(text=text, name="moorpy.yaml")
     found = resolved(path)
-    assert set(found["bodies"]) == {"vessel", "buoy"}
-    assert found["bodies"]["buoy"]["mass_kg"] == 5000
+    assert set(found["bodies"]) == {"vessel"}
     assert (found["sea"]["depth_m"], found["sea"]["density_kg_m3"]) == (200, 1020)
     assert found["forces"]["gravity"]["gravity"]["acceleration_m_s2"] == (9.81 if is_raft else 9.80665)
-    lower = found["forces"]["lower"]["line"]
-    assert (lower["first"]["body"], lower["second"]["body"]) == ("world", "buoy")
-    (section,) = lower["sections"]
+    (line,) = (force["line"] for force in found["forces"].values() if "line" in force)
+    assert (line["first"]["body"], line["second"]["body"]) == ("world", "vessel")
+    section, upper = line["sections"]
+    assert section["clump_weight"]["mass_kg"] == 5000
+    assert upper.get("clump_weight") is None
     assert (section["elements"], section["drag_across"], section["added_mass_across"]) == (20, 1.2, 1)
     shift = 2 * is_raft
     assert {(note.line, note.text) for note in convert(path).notes.left_out} == {
