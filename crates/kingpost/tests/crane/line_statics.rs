@@ -184,6 +184,25 @@ fn a_clump_weight_hangs_where_two_catenaries_meet() {
 }
 
 #[test]
+fn a_submerged_buoy_carries_two_catenaries() {
+    let tensions = with_clump("{mass_kg: 500, volume_m3: 8}", 100.0, 60.0);
+    // Each part carries half of the net lift at the buoy: the higher it is, the tauter they are.
+    let section = in_water(100.0);
+    let vertical = 0.5 * (8.0 * 1025.0 - 500.0) * G;
+    let at = |up: f64| section.force(&Span { across: 30.0, up });
+    let [mut low, mut high] = [90.0, 95.5];
+    for _ in 0..60 {
+        let middle = 0.5 * (high + low);
+        *(if at(middle).vertical > vertical { &mut high } else { &mut low }) = middle;
+    }
+    let [_, expected, ..] = section.tensions(&at(0.5 * (high + low)));
+    // Fourth order: elements of 8 m.
+    for tension in tensions {
+        assert!((tension / expected - 1.0).abs() < 1e-5, "{tension} {expected}");
+    }
+}
+
+#[test]
 fn a_buoy_at_the_surface_carries_two_catenaries() {
     let tensions = with_clump("{mass_kg: 500, volume_m3: 8}", 120.0, 60.0);
     // Wet share of a body as high as the sphere of 8 m3, in equilibrium with its weight and two legs.
@@ -193,10 +212,9 @@ fn a_buoy_at_the_surface_carries_two_catenaries() {
         let carried = 500.0 * G + 2.0 * section.force(&Span { across: 30.0, up: 100.0 + height }).vertical;
         height = diameter * (0.5 - carried / (1025.0 * G * 8.0));
     }
-    let [_, expected] = section.tensions(&section.force(&Span { across: 30.0, up: 100.0 + height }))[..2] else {
-        unreachable!()
-    };
+    let [_, expected, ..] = section.tensions(&section.force(&Span { across: 30.0, up: 100.0 + height }));
+    // The chain has a radius of 11 m at its ends, where the elements are 10 m long.
     for tension in tensions {
-        assert!((tension / expected - 1.0).abs() < 1e-4, "{tension} {expected}");
+        assert!((tension / expected - 1.0).abs() < 5e-3, "{tension} {expected}");
     }
 }

@@ -207,6 +207,10 @@ fn check_rest<S: Quantity>(line: &DynamicLine<S>, rest: &RestingLine<S>, of: &st
     if rest.strain.all(|strain| strain <= LARGEST_STRAIN) {
         return Ok(());
     }
+    if rest.strain.all(f64::is_nan) {
+        let allowed = "a shape that the search finds: check lengths, masses, buoys and the places of the ends";
+        return Err(FieldError::new(format!("{of}.sections"), "no shape at rest", allowed));
+    }
     let found = format!(
         "{} m between ends {:.1} m apart, a strain of {:.3}",
         line.unstretched_length(),

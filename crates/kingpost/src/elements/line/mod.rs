@@ -11,6 +11,7 @@ mod along;
 pub(crate) mod assembly;
 mod blocks;
 mod descent;
+mod feed;
 pub(crate) mod fields;
 mod ground;
 mod mesh;

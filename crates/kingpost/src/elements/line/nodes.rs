@@ -1,8 +1,8 @@
 //! The nodes of a line: their motion, the forces on them, and their energy.
 
+use super::feed::LineFeed;
 use super::ground::LineGround;
 use super::mesh::{LineMesh, LineMeshElement};
-use super::pay_out::LineFeed;
 use super::section::{PartMass, WetPart};
 use super::strain::{GAUSS, Strained, shapes, slopes, strained, sum};
 use crate::elements::Context;

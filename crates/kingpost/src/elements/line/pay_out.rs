@@ -20,59 +20,14 @@
 //! what comes out (compare `ropes/mod.rs`). The material leaves the first end with its velocity there plus w, and pushes it with
 //! the thrust `-mu L' w`.
 
+use super::feed::{LineFeed, write_drifts};
 use super::ground::LineGround;
 use super::mesh::LineMesh;
 use super::nodes::Nodes;
-use super::strain::{gauss, slopes, sum};
+use super::strain::{gauss, slopes};
 use crate::elements::Context;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
-
-/// The motion of a line along itself, and the force on its supply.
-#[derive(Clone, Debug)]
-pub struct LineFeed<S> {
-    /// c at the nodes of the first part, without that at its end, where it is zero.
-    drifts: Vec<Vector3<S>>,
-    /// L', m/s.
-    rate: S,
-    /// Velocity of the body at the first end, world, m/s.
-    tip: Vector3<S>,
-    /// Q of strain and of the nodes between the ends, N; without the weight of the last node.
-    pub force: S,
-    /// Q of the weight of the last node, N.
-    pub of_end: S,
-    /// Thrust on the first end, world, N.
-    pub thrust: Vector3<S>,
-    /// Kinetic energy of the material that comes in with the velocity of the first end, W.
-    pub entering: S,
-}
-
-impl<S: Scalar> LineFeed<S> {
-    /// Allocates the memory for the nodes of a mesh.
-    pub fn new(mesh: &LineMesh<S>) -> Self {
-        let zero = Vector3::zero();
-        let drifts = vec![zero; 2 * mesh.supplied];
-        let [rate, force, of_end, entering] = [S::ZERO; 4];
-        Self { drifts, rate, tip: zero, force, of_end, thrust: zero, entering }
-    }
-
-    /// Returns c at a node.
-    pub fn drift(&self, node: usize) -> Vector3<S> {
-        self.drifts.get(node).copied().unwrap_or(Vector3::zero())
-    }
-}
-
-/// Writes c at the nodes of the first part of a line at these positions.
-pub fn write_drifts<S: Scalar>(mesh: &LineMesh<S>, position: impl Fn(usize) -> Vector3<S>, out: &mut [Vector3<S>]) {
-    for (node, drift) in out.iter_mut().enumerate() {
-        let length = mesh.elements[node / 2].length;
-        let towards_first = match node {
-            0 => -sum(&slopes(-1.0, length), &[0, 1, 2].map(&position)),
-            _ => (position(node - 1) - position(node + 1)) * (S::ONE / length),
-        };
-        *drift = towards_first * S::constant(mesh.nodes[node].share);
-    }
-}
 
 impl<S: Scalar> Nodes<S> {
     /// Sets the rate at which the first part is paid out, m/s, with all nodes put; the first node gets the velocity of the

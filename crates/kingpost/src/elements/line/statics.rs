@@ -58,7 +58,7 @@ impl<S: Scalar> LineStatics<S> {
         at: &Context<'_, S>,
     ) -> &[Vector3<S>] {
         if !self.found {
-            hang(mesh, ground, ends, at, &mut self.positions);
+            lay(mesh, ground, ends, at, &mut self.positions);
         }
         let plain = |x: S| S::from_values([x], &|x| x)[0];
         let last = self.positions.len() - 1;
@@ -121,30 +121,70 @@ impl<S: Scalar> LineStatics<S> {
     }
 }
 
-/// Writes nodes of the elastic catenary with the mean properties of the line, between two ends; those of a straight line if
-/// the line floats.
-fn hang<S: Scalar>(
+/// Writes a first shape of a line: catenaries between its ends and its buoys, each buoy as high as its parts of the line reach,
+/// up to the surface.
+fn lay<S: Scalar>(
     mesh: &LineMesh<S>,
     ground: Option<&LineGround<S>>,
     [first, last]: [Vector3<S>; 2],
     at: &Context<'_, S>,
     nodes: &mut [Vector3<S>],
 ) {
+    let lift = |node: usize| {
+        let net = mesh.nodes[node].clump.map_or(S::ZERO, |one| one.volume * at.world.water_density - one.mass);
+        net * at.world.gravity
+    };
+    let (end, way, lower) = (nodes.len() - 1, last - first, |a: S, b: S| a.select_less(b, || a, || b));
+    let across = (way[0] * way[0] + way[1] * way[1]).sqrt();
+    let (mut along, mut from) = (S::ZERO, (0, first));
+    for node in (2..=end).step_by(2) {
+        let LineMeshElement { length, section } = mesh.elements[node / 2 - 1];
+        along += length;
+        let net = lift(node);
+        if node < end && !net.all(|net| net > 0.0) {
+            continue;
+        }
+        let share = along / mesh.length;
+        let stretch = S::ONE + net / section.axial_stiffness;
+        let reach = |length: S, span: S| {
+            let square = length * length * stretch * stretch - span * span;
+            square.select_below(0.0, || S::ZERO, || square).sqrt()
+        };
+        let by_last = last[2] + reach(mesh.length - along, across * (S::ONE - share));
+        let height = lower(lower(first[2] + reach(along, across * share), by_last), S::ZERO);
+        let buoy = Vector3([first[0] + way[0] * share, first[1] + way[1] * share, height]);
+        let to = if node == end { last } else { buoy };
+        hang(mesh, ground, (from, (node, to)), at, nodes);
+        from = (node, to);
+    }
+}
+
+/// Writes the nodes of a part of a line between two of them at these places: those of the elastic catenary with the mean
+/// properties of the part; those of a straight line if it floats.
+fn hang<S: Scalar>(
+    mesh: &LineMesh<S>,
+    ground: Option<&LineGround<S>>,
+    ((before, first), (behind, last)): ((usize, Vector3<S>), (usize, Vector3<S>)),
+    at: &Context<'_, S>,
+    nodes: &mut [Vector3<S>],
+) {
+    let part = &mesh.elements[before / 2..behind / 2];
+    let length = part.iter().fold(S::ZERO, |sum, element| sum + element.length);
     let is_up = (last[2] - first[2]).all(|up| up < 0.0);
     let [upper, lower] = if is_up { [first, last] } else { [last, first] };
     let way = upper - lower;
     let across = (way[0] * way[0] + way[1] * way[1]).sqrt();
-    let least = mesh.length * S::constant(NEAREST);
+    let least = length * S::constant(NEAREST);
     let span = Span { across: across.select_less(least, || least, || across), up: way[2] };
     let ground = ground.map(|ground| ground.depth);
     let lies = ground.is_some_and(|depth| (lower[2] + depth).all(|above| above <= 0.0));
-    let shape = mean_catenary(mesh, lies, at);
+    let shape = mean_catenary(part, length, lies, at);
     let sinks = shape.weight.all(|weight| weight > 0.0);
     let force = shape.force(&span);
     let mut along = S::ZERO;
-    for (k, node) in nodes.iter_mut().enumerate() {
-        let share = along / mesh.length;
-        if let Some(element) = mesh.elements.get(k / 2) {
+    for (k, node) in nodes[before..=behind].iter_mut().enumerate() {
+        let share = along / length;
+        if let Some(element) = part.get(k / 2) {
             along += element.length * S::constant(0.5);
         }
         if !sinks {
@@ -159,14 +199,19 @@ fn hang<S: Scalar>(
     }
 }
 
-/// Returns the catenary with the mean weight in water and the stiffness of the line.
-fn mean_catenary<S: Scalar>(mesh: &LineMesh<S>, on_seabed: bool, at: &Context<'_, S>) -> Catenary<S> {
+/// Returns the catenary with the mean weight in water and the stiffness of a part of a line.
+fn mean_catenary<S: Scalar>(
+    part: &[LineMeshElement<S>],
+    length: S,
+    on_seabed: bool,
+    at: &Context<'_, S>,
+) -> Catenary<S> {
     let (mut weight, mut compliance) = (S::ZERO, S::ZERO);
-    for LineMeshElement { length, section } in &mesh.elements {
+    for LineMeshElement { length, section } in part {
         let displaced = at.world.water_density * section.diameter * section.diameter * S::constant(FRAC_PI_4);
         weight += (section.mass_per_length - displaced) * at.world.gravity * *length;
         compliance += *length / section.axial_stiffness;
     }
-    let (unstretched_length, axial_stiffness) = (mesh.length, mesh.length / compliance);
-    Catenary { unstretched_length, weight: weight / mesh.length, axial_stiffness, on_seabed }
+    let (unstretched_length, axial_stiffness) = (length, length / compliance);
+    Catenary { unstretched_length, weight: weight / length, axial_stiffness, on_seabed }
 }

@@ -16,11 +16,11 @@
 
 use super::blocks::Blocks;
 use super::descent::Descent;
+use super::feed::write_drifts;
 use super::ground::LineGround;
 use super::mesh::LineMesh;
 use super::nodes::{Nodes, tangents};
 use super::one_sided::{positive, share_at_end};
-use super::pay_out::write_drifts;
 use super::section::WetPart;
 use super::strain::{gauss, slopes, sum};
 use crate::dynamics::Clock;

@@ -5,7 +5,7 @@
 //! `L = L_0 + P - (l - l_0)`. The weight of what was let out since then is taken from the first place of the path, where the
 //! rest of it is stored; its inertia stays there.
 
-use super::pay_out::LineFeed;
+use super::feed::LineFeed;
 use crate::dynamics::Loads;
 use crate::elements::Context;
 use crate::elements::lines::{place, pull_at};
