@@ -14,8 +14,8 @@ import { opened } from "./opened";
 const COLOURS = ["hull", "bottom", "stripe", "deck", "marking", "load", "plain", "barrel", "rod", "pin", "line", "house", "window", "fitting"];
 const PALETTE = { ...Object.fromEntries(COLOURS.map((name) => [name, new Color(0.5, 0.5, 0.5)])), isDark: false } as unknown as Palette;
 
-/** Height below which a point is on the seabed, far below every keel, m. */
-const SEABED_M = -50;
+/** Distance of an anchor from the seabed, m. */
+const ROUNDING_M = 0.01;
 
 /** Returns the number of edges that are not passed equally often in both directions: 0 for closed solids. */
 function openEdges(geometry: BufferGeometry): number {
@@ -72,7 +72,7 @@ describe.each(gallery)("attachments of lines, tubes and links of %s", async (nam
     const pins = run.lines.filter(({ points }) => points === 1);
     const points = start.line_points;
     const last = (line: DrawnLine) => 3 * run.lines.slice(0, run.lines.indexOf(line) + 1).reduce((sum, one) => sum + one.points, 0) - 1;
-    const onSeabed = lines.filter((line) => points[last(line)] < SEABED_M).length;
+    const onSeabed = lines.filter((line) => line.seabed_m !== null && points[last(line)] < line.seabed_m + ROUNDING_M).length;
     const links = rolesOf(run.model).filter((role) => role === "link").length;
     expect(anchors.length).toBe(2 * lines.length - onSeabed + pins.length + 2 * links + 2 * run.model.loops.length);
   });

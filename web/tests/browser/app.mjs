@@ -204,13 +204,17 @@ export function close(actual, expected, tolerance, what) {
   assert.ok(Math.abs(actual - expected) <= tolerance, `${what}: ${actual}, expected ${expected} within ${tolerance}`);
 }
 
+/** Takes a picture of the canvas without what is written over it, in base64. */
+export async function picture(page) {
+  await page.addStyleTag({ content: ".scene-tools, .scene-note, .frames-legend, .hint, .alert { visibility: hidden }" });
+  return (await page.getByTestId("canvas").screenshot()).toString("base64");
+}
+
 /**
  * Counts the pixels in a picture of the canvas that are darker than the background, and returns the box around them in
  * pixels of the page.
  */
 export async function look(page) {
-  await page.addStyleTag({ content: ".scene-tools, .scene-note, .frames-legend, .hint, .alert { visibility: hidden }" });
-  const picture = (await page.getByTestId("canvas").screenshot()).toString("base64");
   return page.evaluate(async (base64) => {
     const blob = await (await fetch(`data:image/png;base64,${base64}`)).blob();
     const bitmap = await createImageBitmap(blob);
@@ -232,5 +236,5 @@ export async function look(page) {
     }
     for (const length of ["width", "height", "left", "right", "top", "bottom"]) seen[length] /= devicePixelRatio;
     return seen;
-  }, picture);
+  }, await picture(page));
 }

@@ -371,6 +371,13 @@ impl<S: Scalar> Element<S> for DynamicLine<S> {
         shares().for_each(|share: f64| points.extend(self.nodes.at(share, &self.mesh).0));
     }
 
+    fn left_out_at_rest(&self) -> Option<&'static str> {
+        Some(
+            "the response leaves out the drag on this line, which is zero at rest; in a run it damps the line, most near the line's own \
+             periods, and the ship on it",
+        )
+    }
+
     fn advancing(&mut self) -> Option<&mut dyn Advancing<S>> {
         Some(self)
     }
