@@ -75,6 +75,19 @@ def test_derivatives_agree_with_central_differences(either, path):
         assert float(np.abs(exact).max()) > 0 or is_given, name
 
 
+def test_the_range_graph_of_a_paid_out_line_is_over_shares_of_its_length(tmp_path):
+    """Source: the length of the line over time; the ends have the tensions of the ends."""
+    found = kingpost.run(written(tmp_path, PAID_OUT))
+    graph = kingpost.range_graph(found, "chain")
+    assert graph["largest"].dims == ("share",)
+    length = float(found["line_length"].mean())
+    np.testing.assert_allclose(graph["arc_length"], graph["share"] * length, rtol=1e-12)
+    for end, name in ((0, "line_tension"), (-1, "line_end_tension")):
+        assert float(graph["largest"][end]) == float(found[name].max())
+    fatigue = kingpost.line_fatigue(found, "chain", slopes=[3])
+    assert fatigue["damage"].sizes["share"] == graph.sizes["share"]
+
+
 def _value(scenario: dict[str, Any], path: str) -> Any:
     found: Any = scenario
     for part in path.split("."):

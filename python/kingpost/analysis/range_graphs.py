@@ -183,7 +183,7 @@ def _along(results: xarray.Dataset, line: str, after_s: float) -> xarray.DataArr
     if same:
         return plain.assign_coords(arc_length=("arc_length", arc_length.values, arc_length.attrs))
     mean = arc_length.mean("time") if "time" in arc_length.dims else arc_length
-    mean = mean.drop_vars(own).rename({dim: along})
+    mean = mean.drop_vars(own, errors="ignore").rename({dim: along})
     mean.attrs = arc_length.attrs
     return plain.assign_coords(share=("share", share.values, share.attrs), arc_length=mean)
 
