@@ -252,7 +252,7 @@ def transfer(
     return Transfer(
         columns=found["columns"],
         units=found["units"],
-        mean=np.array(found["mean"]),
+        mean=np.array(found["mean"], float),
         not_linear=not_linear,
         directions_rad=np.array(found["directions_rad"]),
         omega_rad_s=grid,

@@ -151,7 +151,7 @@ def _dataset(simulation: Simulation, found: dict[str, Any]) -> xarray.Dataset:
     variables = {
         "response": (dims, np.abs(h), amplitude),
         f"response{PHASE}": (dims, np.angle(h), lag),
-        "mean": ("column", np.array(found["mean"]), {"long_name": "value at rest in still water"}),
+        "mean": ("column", np.array(found["mean"], float), {"long_name": "value at rest in still water"}),
         "linear": ("column", [reason is None for reason in not_linear]),
         "reason": ("column", np.array([REASONS[reason] if reason else "" for reason in not_linear], str)),
     }
