@@ -218,3 +218,27 @@ fn a_buoy_at_the_surface_carries_two_catenaries() {
         assert!((tension / expected - 1.0).abs() < 5e-3, "{tension} {expected}");
     }
 }
+
+#[test]
+fn a_vertical_line_through_the_surface_is_found_at_rest_with_derivatives() {
+    let text = "version: 1
+title: A load on a wire
+simulation: {step_s: 0.05, duration_s: 10, record_every_s: 0.1}
+bodies:
+  load:
+    mass_kg: 100000
+    shape: {box: {length_m: 2, width_m: 2, height_m: 2}}
+    joint: {floating: {initial: {position_m: [0, 0, -90.2]}}}
+forces:
+  gravity: {gravity: {}}
+  wire:
+    line:
+      first: {body: world, position_m: [0, 0, 10]}
+      second: {body: load, position_m: [0, 0, 0]}
+      sections:
+        - {unstretched_length_m: 100, elements: 4, mass_kg_per_m: 30, diameter_m: 0.068, axial_stiffness_N: 8.0e8}
+";
+    let read = read(text, "line.yaml", &[]).expect("it reads");
+    read.setup().expect("it builds");
+    read.setup_over::<kingpost::plant::Number>().expect("it builds with derivatives");
+}

@@ -50,12 +50,15 @@ impl<S: Scalar> Descent<S> {
         let work = |forces: &[Vector3<S>], way: &[Vector3<S>]| {
             forces.iter().zip(way).fold(S::ZERO, |sum, (force, way)| sum + force.dot(*way))
         };
-        let back = work(&self.forces, &self.way).select_less(self.gain * S::constant(OVERSHOT), || S::ONE, || S::ZERO);
         let larger = |a: S, b: S| a.select_less(b, || b, || a);
         let squares = self.newton.iter().map(|way| way.norm_squared());
         let [most, sum] = squares.fold([S::ZERO; 2], |[most, sum], square| [larger(most, square), sum + square]);
         // NaN and infinity stay.
         self.size = (most + sum * S::ZERO).sqrt();
+        let has_overshot =
+            work(&self.forces, &self.way).select_less(self.gain * S::constant(OVERSHOT), || S::ONE, || S::ZERO);
+        // The forces about a solution are rounding.
+        let back = self.size.select_less(enough, || S::ZERO, || has_overshot);
         let share = self.size.select_less(longest, || S::ONE, || longest / self.size);
         let of_newton = work(&self.forces, &self.newton) * share;
         self.gain = back.select_below(0.5, || of_newton, || self.gain * half);
@@ -67,7 +70,7 @@ impl<S: Scalar> Descent<S> {
                 way[k] = back.select_below(0.5, || whole, || halved);
             }
         }
-        let small = self.size.select_less(enough, || S::ONE - back, || S::ZERO);
+        let small = self.size.select_less(enough, || S::ONE, || S::ZERO);
         if !(more && small.all(|small| small == 1.0)) {
             self.goes_on = small.select_below(0.5, || self.goes_on, || S::ZERO);
         }
