@@ -15,6 +15,7 @@ const CHAIN: LineSection = LineSection {
     diameter: 1e-9,
     axial_stiffness: 3.27e9,
     damping_time: 0.0,
+    bending_stiffness: 0.0,
     added_mass: [1.0, 0.0],
     drag: [1.2, 0.0],
 };

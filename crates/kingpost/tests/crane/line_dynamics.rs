@@ -50,17 +50,20 @@ pub const WIRE: LineSection = LineSection {
     diameter: 1e-9,
     axial_stiffness: 8e8,
     damping_time: 0.0,
+    bending_stiffness: 0.0,
     added_mass: [1.0, 0.0],
     drag: [1.2, 0.0],
 };
 
 fn over<S: Scalar>(section: LineSection) -> LineSection<S> {
-    let LineSection { mass_per_length, diameter, axial_stiffness, damping_time, added_mass, drag } = section;
+    let LineSection { mass_per_length, diameter, axial_stiffness, damping_time, bending_stiffness, added_mass, drag } =
+        section;
     LineSection {
         mass_per_length: S::constant(mass_per_length),
         diameter: S::constant(diameter),
         axial_stiffness: S::constant(axial_stiffness),
         damping_time: S::constant(damping_time),
+        bending_stiffness: S::constant(bending_stiffness),
         added_mass: added_mass.map(S::constant),
         drag: drag.map(S::constant),
     }
@@ -213,6 +216,7 @@ fn heat_of_damping_water_and_ground_is_booked() {
             diameter: 0.1,
             axial_stiffness: 1e6,
             damping_time: 0.01,
+            bending_stiffness: 0.0,
             added_mass: [1.0, 0.5],
             drag: [2.4, 0.3],
         },
@@ -245,6 +249,7 @@ fn current_accelerates_a_line_by_morison() {
         diameter: d,
         axial_stiffness: 1e8,
         damping_time: 0.0,
+        bending_stiffness: 0.0,
         added_mass: [1.0, 0.0],
         drag: [1.2, 0.0],
     };

@@ -17,6 +17,7 @@ mod heave_compensation;
 mod inertial_unit;
 mod inextensible_ropes;
 mod line_along;
+mod line_bending;
 mod line_dynamics;
 mod line_statics;
 mod line_steps;

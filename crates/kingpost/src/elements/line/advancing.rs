@@ -34,8 +34,8 @@ impl<S: Scalar> Advancing<S> for DynamicLine<S> {
 
     fn advance(&mut self, at: &Context<'_, S>, states: &mut [S]) -> Result<(), NotAdvanced> {
         self.supply(at);
-        let ends = self.end_places(at);
-        self.step.advance(&self.mesh, self.ground.as_ref(), ends, at.clock.time_s).map_err(|move_m| NotAdvanced {
+        let ends = self.ends_now(at);
+        self.step.advance(&self.mesh, self.ground.as_ref(), &ends, at.clock.time_s).map_err(|move_m| NotAdvanced {
             move_m,
             allowed_m: CONVERGED * self.mesh.shortest().value(),
             iterations: MOST_ITERATIONS,

@@ -48,7 +48,7 @@ impl<S: Scalar> Nodes<S> {
         if points == 0 {
             return;
         }
-        let ends = self.end_tensions();
+        let ends = self.end_tensions(mesh);
         out.push(ends[0]);
         out.extend((1..points - 1).map(|point| self.tension_at(share(point, points), mesh, ends)));
         out.push(ends[1]);
@@ -78,7 +78,8 @@ impl<S: Scalar> Nodes<S> {
             let is_last = element + 1 == mesh.elements.len();
             if is_last || !(place - to).all(|beyond| beyond >= 0.0) {
                 let two = S::constant(2.0);
-                let tension = || self.tension_in(element, (place - from) * two / part.length - S::ONE, ends);
+                let xi = || (place - from) * two / part.length - S::ONE;
+                let tension = || self.tension_in(element, mesh, xi(), ends);
                 found = place.select_less(from, || found, tension);
             }
             if (place - to).all(|beyond| beyond < 0.0) {
@@ -91,20 +92,20 @@ impl<S: Scalar> Nodes<S> {
 
     /// Returns the tension in an element, xi halves of its length from its middle, N: linear between its ends and the points
     /// of Gauss's rule.
-    fn tension_in(&self, element: usize, xi: S, ends: [S; 2]) -> S {
+    fn tension_in(&self, element: usize, mesh: &LineMesh<S>, xi: S, ends: [S; 2]) -> S {
         let [first, second] = self.at_gauss(element);
         let between = |[a, b]: [S; 2], [from, to]: [f64; 2]| {
             a + (b - a) * (xi - S::constant(from)) * S::constant(1.0 / (to - from))
         };
-        let before = || between([self.at_joint(element, ends), first], [-1.0, -GAUSS]);
-        let after = || between([second, self.at_joint(element + 1, ends)], [GAUSS, 1.0]);
+        let before = || between([self.at_joint(element, mesh, ends), first], [-1.0, -GAUSS]);
+        let after = || between([second, self.at_joint(element + 1, mesh, ends)], [GAUSS, 1.0]);
         let inner = || xi.select_below(GAUSS, || between([first, second], [-GAUSS, GAUSS]), after);
         xi.select_below(-GAUSS, before, inner)
     }
 
-    /// Returns the tension between an element and the one before it, N: the mean of both, extrapolated, at least 0; that of
-    /// the end where there is no other element.
-    fn at_joint(&self, element: usize, ends: [S; 2]) -> S {
+    /// Returns the tension between an element and the one before it, N: the mean of both, extrapolated; that of the end where
+    /// there is no other element.
+    fn at_joint(&self, element: usize, mesh: &LineMesh<S>, ends: [S; 2]) -> S {
         if element == 0 {
             return ends[0];
         }
@@ -114,7 +115,7 @@ impl<S: Scalar> Nodes<S> {
         let beyond = S::constant(0.5 * (1.0 / GAUSS - 1.0));
         let ([second, last], [first, next]) = (self.at_gauss(element - 1), self.at_gauss(element));
         let mean = (last + first + (last - second + first - next) * beyond) * S::constant(0.5);
-        mean.select_below(0.0, || S::ZERO, || mean)
+        mesh.elements[element].section.possible(mean)
     }
 
     /// Returns the tensions at the points of Gauss's rule of an element, N.

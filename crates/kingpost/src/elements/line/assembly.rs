@@ -13,6 +13,7 @@ use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema::{self, RopeStation};
 use crate::simulation::Setup;
+use crate::spatial::Vector3;
 
 /// Largest number of elements of a line: its cost is linear in them, but each has twelve states.
 const MOST_ELEMENTS: usize = 2000;
@@ -49,9 +50,31 @@ impl<S: Quantity> Assemble<S> for schema::DynamicLine<S> {
             (Some(LaidLine::Over(stations, drum)), true) => DynamicLine::over(name, &stations, drum, &parts),
             _ => return Ok(Vec::new()),
         };
-        let line = with_clumps(line, &self.sections, &field)?;
+        let line = with_clumps(line, &self.sections, &field)?.clamped(clamps(self, &parts, &field)?);
         Ok(vec![Box::new(DynamicLine { ground, points_along: self.points_along, ..line })])
     }
+}
+
+/// Returns the directions of clamped ends: their sections have bending stiffness, and no section of a path has.
+fn clamps<S: Quantity>(
+    line: &schema::DynamicLine<S>,
+    parts: &[LinePart<S>],
+    field: &dyn Fn(&str) -> String,
+) -> Result<[Option<Vector3<S>>; 2], FieldError> {
+    let bends = |part: &LinePart<S>| part.section.bending_stiffness.all(|stiffness| stiffness > 0.0);
+    if let Some(k) = parts.iter().position(bends).filter(|_| !line.path.is_empty()) {
+        let found = parts[k].section.bending_stiffness;
+        let allowed = "0: a line that is paid out over a path has no bending stiffness";
+        return Err(FieldError::new(field(&format!("sections.{k}.bending_stiffness_N_m2")), found, allowed));
+    }
+    let given = [("first", &line.first_direction, 0), ("second", &line.second_direction, parts.len() - 1)];
+    for (which, direction, k) in given {
+        if direction.is_some() && !bends(&parts[k]) {
+            let allowed = format!("none, or sections.{k}.bending_stiffness_N_m2 > 0");
+            return Err(FieldError::new(field(&format!("{which}_direction")), "a direction", allowed));
+        }
+    }
+    Ok(given.map(|(_, direction, _)| direction.map(|direction| Vector3(direction.get()).direction())))
 }
 
 /// Fastens the clump weights and buoys to the ends of the sections.
@@ -156,6 +179,7 @@ fn part<S: Quantity>(given: &schema::DynamicLineSection<S>) -> LinePart<S> {
         diameter: given.diameter_m.get(),
         axial_stiffness: given.axial_stiffness_n.get(),
         damping_time: given.damping_time_s.get(),
+        bending_stiffness: given.bending_stiffness_n_m2.get(),
         added_mass: [given.added_mass_across.get(), given.added_mass_along.get()],
         drag: [given.drag_across.get(), given.drag_along.get()],
     };

@@ -3,11 +3,11 @@
 use kingpost_derive::fields;
 
 use crate::scenario::leaf::Leaf;
-use crate::scenario::schema::{NonNegative, Pin, Positive, RopeStation, yes};
+use crate::scenario::schema::{Direction, NonNegative, Pin, Positive, RopeStation, yes};
 
 /// A wire or chain with mass between two points on bodies or in the world: a mooring line, a hoisting wire in deep water.
-/// It has axial stiffness and damping, weight, buoyancy, added mass and drag in waves and current, and can lie on the seabed;
-/// it has no bending stiffness. A run begins with the line at rest between its ends. It has two ends, or a path over a drum and
+/// It has axial stiffness and damping, bending stiffness, weight, buoyancy, added mass and drag in waves and current, and can lie
+/// on the seabed. A run begins with the line at rest between its ends. It has two ends, or a path over a drum and
 /// sheaves, from which its first section is paid out.
 ///
 /// With `rk4` and `euler` the line is advanced implicitly within each step, so that its axial waves do not limit the step;
@@ -21,6 +21,12 @@ pub struct DynamicLine<S = f64> {
     pub first: Option<Pin<S>>,
     /// The other end: an anchor in the `world`, or a point of another body.
     pub second: Option<Pin<S>>,
+    /// Direction in which it leaves the first end, in the axes of that body: the end is clamped, with bending stiffness in the
+    /// first section. Without it, the line turns freely there.
+    pub first_direction: Option<Direction<S>>,
+    /// Direction in which it arrives at the second end, in the axes of that body: the end is clamped, with bending stiffness in
+    /// the last section. Without it, the line turns freely there.
+    pub second_direction: Option<Direction<S>>,
     /// Instead of both ends, the places of a path as of a `rope`, with one fall: the line is its last leg, from the last drum or
     /// sheave, taken as a point, to the last point. Up to there it does not stretch and has no mass; the weight of what is paid
     /// out is taken from the first place.
@@ -54,6 +60,10 @@ pub struct DynamicLineSection<S = f64> {
     /// pi tau / T of the critical one. Without damping, axial waves that are shorter than the step ring.
     #[serde(default = "damping_time::<S>")]
     pub damping_time_s: NonNegative<S>,
+    /// EI: bending moment per curvature, N m^2; none for a section that is paid out. A section with it also pushes, one without
+    /// becomes slack.
+    #[serde(default)]
+    pub bending_stiffness_n_m2: NonNegative<S>,
     /// Added mass over the mass of the displaced water, across the line.
     #[serde(default = "one::<S>")]
     pub added_mass_across: NonNegative<S>,

@@ -1,5 +1,6 @@
 //! The elements and nodes of a line, and the length that belongs to each.
 
+use super::bend::{Bend, bends};
 use super::section::{ClumpWeight, LineSection, WetPart};
 use crate::elements::Context;
 use crate::scalar::Scalar;
@@ -64,6 +65,8 @@ pub struct LineMesh<S> {
     pub elements: Vec<LineMeshElement<S>>,
     /// Nodes: each second one is in the middle of an element.
     pub nodes: Vec<LineMeshNode<S>>,
+    /// Its bends, if it has bending stiffness.
+    pub bends: Vec<Bend<S>>,
     /// Length of the line, m.
     pub length: S,
     /// Number of elements of the first part, whose length changes as it is paid out; 0 if none does.
@@ -97,7 +100,13 @@ impl<S: Scalar> LineMesh<S> {
         }
         let first = parts[0].unstretched_length;
         let others = parts[1..].iter().fold(S::ZERO, |sum, part| sum + part.unstretched_length);
-        Self { elements, nodes, length: first + others, supplied: 0, first, others, beyond: None }
+        let bends = bends(&elements, [false; 2]);
+        Self { elements, nodes, bends, length: first + others, supplied: 0, first, others, beyond: None }
+    }
+
+    /// Clamps some of its ends, if it has bending stiffness.
+    pub fn clamped(self, ends: [bool; 2]) -> Self {
+        Self { bends: bends(&self.elements, ends), ..self }
     }
 
     /// Lets the length of the first part change: this number of elements.
@@ -164,6 +173,7 @@ impl<S: Scalar> LineMeshNode<S> {
             diameter,
             axial_stiffness: of(|section| section.axial_stiffness),
             damping_time: of(|section| section.damping_time),
+            bending_stiffness: of(|section| section.bending_stiffness),
             added_mass: [
                 of(|section| section.added_mass[0] * section.diameter * section.diameter) / square,
                 of(|section| section.added_mass[1] * section.diameter * section.diameter) / square,

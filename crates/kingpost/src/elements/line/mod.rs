@@ -9,7 +9,9 @@
 mod advancing;
 mod along;
 pub(crate) mod assembly;
+mod bend;
 mod blocks;
+mod clamp;
 mod descent;
 mod feed;
 pub(crate) mod fields;
@@ -40,6 +42,7 @@ use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Matrix3, SpatialInertia, Symmetric3, Vector3};
 use along::outputs_along;
+use bend::LineEnds;
 use mesh::LineMesh;
 use nodes::{LineNode, Nodes};
 use statics::LineStatics;
@@ -60,6 +63,8 @@ pub struct DynamicLine<S = f64> {
     pub name: String,
     /// Its ends.
     pub ends: [Attachment<S>; 2],
+    /// Directions from the first end to the second one at clamped ends, in the axes of their bodies.
+    clamps: [Option<Vector3<S>>; 2],
     /// The ground on which it can lie, at the depth of the water.
     pub ground: Option<LineGround<S>>,
     /// Drum and sheaves from which its first part is paid out.
@@ -116,17 +121,24 @@ impl<S: Scalar> DynamicLine<S> {
         Self {
             name: name.to_owned(),
             ends,
+            clamps: [None; 2],
             ground: None,
             supply: None,
             start: None,
             points_along: 0,
             nodes: Nodes::new(&mesh),
-            statics: LineStatics::new(mesh.nodes.len()),
+            statics: LineStatics::new(&mesh),
             step: LineStep::new(&mesh),
             mesh,
             on_ends: S::ZERO,
             at_base: [S::ZERO; 2],
         }
+    }
+
+    /// Gives the line other elements and nodes.
+    fn on_mesh(self, mesh: LineMesh<S>) -> Self {
+        let (nodes, statics, step) = (Nodes::new(&mesh), LineStatics::new(&mesh), LineStep::new(&mesh));
+        Self { nodes, statics, step, mesh, ..self }
     }
 
     /// Lets the line begin with its nodes at these positions between the ends, world, m: one less than twice the number of
@@ -191,7 +203,7 @@ impl<S: Scalar> DynamicLine<S> {
 
     /// Computes the power of the tension on the ends and on the supply.
     fn book_ends(&mut self, is_supplied: bool, at: &Context<'_, S>) {
-        self.on_ends = self.nodes.power_on_ends([0, 1].map(|end| velocity(&self.ends[end], at)));
+        self.on_ends = self.nodes.power_on_ends([0, 1].map(|end| velocity(&self.ends[end], at)), self.turning(at));
         if is_supplied {
             self.on_ends += self.nodes.draw_supply(&self.mesh, self.ground.as_ref(), at);
         }
@@ -200,7 +212,8 @@ impl<S: Scalar> DynamicLine<S> {
     /// Reads the motion of the ends and of the nodes between them. Returns the supply.
     fn put_nodes(&mut self, at: &Context<'_, S>, states: &[S]) -> Option<Supplied<S>> {
         let supplied = self.supply(at);
-        let places = self.end_places(at);
+        let LineEnds { places, directions } = self.ends_now(at);
+        self.nodes.directions = directions;
         for ((end, place), node) in self.ends.iter().zip(places).zip(self.end_nodes()) {
             self.nodes.put(node, place, velocity(end, at));
         }
@@ -217,10 +230,11 @@ impl<S: Scalar> DynamicLine<S> {
     /// Puts the nodes where they rest between the present ends. Returns the supply.
     fn rest(&mut self, at: &Context<'_, S>) -> Option<Supplied<S>> {
         let supplied = self.supply(at);
-        let ends = self.end_places(at);
+        let ends = self.ends_now(at);
         let Self { nodes, statics, mesh, ground, .. } = self;
+        nodes.directions = ends.directions;
         let calm = Context { evaluation: EvaluationMode::AtRest, ..*at };
-        let found = statics.solve(mesh, ground.as_ref(), ends, &calm);
+        let found = statics.solve(mesh, ground.as_ref(), &ends, &calm);
         for (node, place) in found.iter().enumerate() {
             nodes.put(node, *place, Vector3::zero());
         }
@@ -243,9 +257,10 @@ impl<S: Scalar> DynamicLine<S> {
         RestingLine { ends, strain: self.nodes.largest_strain(&self.mesh) }
     }
 
-    /// Returns the positions of its ends, world, m.
-    fn end_places(&self, at: &Context<'_, S>) -> [Vector3<S>; 2] {
-        [0, 1].map(|end| place(&self.ends[end], at.model, at.links))
+    /// Returns positions and directions of its ends.
+    fn ends_now(&self, at: &Context<'_, S>) -> LineEnds<S> {
+        let places = [0, 1].map(|end| place(&self.ends[end], at.model, at.links));
+        LineEnds { places, directions: self.directions(at) }
     }
 
     /// Returns the indices of the nodes at its ends.
@@ -328,6 +343,7 @@ impl<S: Scalar> Element<S> for DynamicLine<S> {
         for (end, node) in self.ends.iter().zip(self.end_nodes()) {
             self.pull(end, self.nodes.node(node), at, loads);
         }
+        self.turn(at, loads);
     }
 
     fn rates(&mut self, at: &Context<'_, S>, rates: &mut [S]) {
@@ -354,7 +370,7 @@ impl<S: Scalar> Element<S> for DynamicLine<S> {
 
     fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let supplied = self.evaluate(at);
-        let [first, last] = self.nodes.end_tensions();
+        let [first, last] = self.nodes.end_tensions(&self.mesh);
         let lost = at.states[self.motions() + 1];
         out.extend([first, last, self.nodes.grounded_length(&self.mesh, self.ground.as_ref()), lost]);
         self.nodes.write_along(&self.mesh, self.ground.as_ref(), self.points_along, out);

@@ -1,5 +1,6 @@
 //! The nodes of a line: their motion, the forces on them, and their energy.
 
+use super::bend::Bend;
 use super::feed::LineFeed;
 use super::ground::LineGround;
 use super::mesh::{LineMesh, LineMeshElement};
@@ -41,7 +42,11 @@ pub struct Nodes<S> {
     pub dissipated: S,
     /// Power of the water on the line, W; without the heat.
     pub outside: S,
-    /// Energy of strain, J.
+    /// Directions of the ends, world; those of clamped ends have an effect.
+    pub directions: [Vector3<S>; 2],
+    /// Moments of clamped ends on their bodies, world, N m.
+    pub moments: [Vector3<S>; 2],
+    /// Energy of strain and bending, J.
     strain: S,
 }
 
@@ -59,6 +64,8 @@ impl<S: Scalar> Nodes<S> {
             scratch: [Vec::with_capacity(count), vec![zero; count]],
             dissipated: S::ZERO,
             outside: S::ZERO,
+            directions: [zero; 2],
+            moments: [zero; 2],
             strain: S::ZERO,
         }
     }
@@ -100,6 +107,7 @@ impl<S: Scalar> Nodes<S> {
         for element in 0..self.nodes.len() / 2 {
             self.stretch_element(element, mesh);
         }
+        self.bend(mesh.bends.iter());
         let [positions, found] = &mut self.scratch;
         positions.clear();
         positions.extend(self.nodes.iter().map(|node| node.position));
@@ -126,6 +134,21 @@ impl<S: Scalar> Nodes<S> {
         }
     }
 
+    /// Adds the forces of bends, `-EI x'' w_k`, and computes the moments of clamped ends.
+    fn bend<'a>(&mut self, bends: impl Iterator<Item = &'a Bend<S>>) {
+        self.moments = [Vector3::zero(); 2];
+        for bend in bends {
+            let curvature = bend.curvature(|node| self.nodes[node].position, &self.directions);
+            for (node, weight) in self.nodes[bend.first..].iter_mut().zip(bend.weights) {
+                node.force -= curvature * (bend.stiffness * weight);
+            }
+            self.strain += bend.energy(curvature);
+            if let Some((end, moment)) = bend.moment(curvature, &self.directions) {
+                self.moments[end] = moment;
+            }
+        }
+    }
+
     /// Adds the forces of the tension at the ends alone, in the first and the last element; in all elements if the line is paid
     /// out. The rate of strain is that of these velocities of the ends, if they are given.
     pub fn stretch_ends(&mut self, mesh: &LineMesh<S>, by_rule: [Option<Vector3<S>>; 2]) {
@@ -139,14 +162,17 @@ impl<S: Scalar> Nodes<S> {
         for element in (0..last / 2).filter(|element| all || *element == 0 || *element == last / 2 - 1) {
             self.stretch_element(element, mesh);
         }
+        self.bend(mesh.bends.iter().filter(|bend| bend.first == 0 || bend.first + 2 == last));
         (self.nodes[0].velocity, self.nodes[last].velocity) = (velocities[0], velocities[1]);
         (self.dissipated, self.outside) = (S::ZERO, S::ZERO);
     }
 
-    /// Returns the power of the forces so far on the ends, W, whose bodies move there with these velocities.
-    pub fn power_on_ends(&self, velocities: [Vector3<S>; 2]) -> S {
+    /// Returns the power of the forces so far, and of the moments, on the ends, W, whose bodies move there with these velocities
+    /// and angular velocities.
+    pub fn power_on_ends(&self, velocities: [Vector3<S>; 2], angular: [Vector3<S>; 2]) -> S {
         let [first, last] = [0, self.nodes.len() - 1].map(|end| self.nodes[end].force);
-        first.dot(velocities[0]) + last.dot(velocities[1])
+        let by_forces = first.dot(velocities[0]) + last.dot(velocities[1]);
+        by_forces + self.moments[0].dot(angular[0]) + self.moments[1].dot(angular[1])
     }
 
     /// Adds weight, and the forces of water and ground, to an end in this water, whose motion is that of this time earlier (s).
@@ -224,15 +250,14 @@ impl<S: Scalar> Nodes<S> {
     }
 
     /// Returns the tensions at the ends, N: the reactions of the bodies, with the accelerations of the ends extrapolated from
-    /// the nodes beside them; at least 0.
-    pub fn end_tensions(&self) -> [S; 2] {
+    /// the nodes beside them.
+    pub fn end_tensions(&self, mesh: &LineMesh<S>) -> [S; 2] {
         let last = self.nodes.len() - 1;
         let at_end = |end: usize, [near, far]: [usize; 2], outward: f64| {
             let LineNode { tangent, mass, force, .. } = self.nodes[end];
             let [near, far] = [near, far].map(|node| self.nodes[node].acceleration);
             let inertia = mass.along * tangent.dot(near + near - far);
-            let tension = (inertia - tangent.dot(force)) * S::constant(outward);
-            tension.select_below(0.0, || S::ZERO, || tension)
+            mesh.nodes[end].section.possible((inertia - tangent.dot(force)) * S::constant(outward))
         };
         // A line of one element has one node between its ends.
         [at_end(0, [1, 2.min(last - 1)], -1.0), at_end(last, [last - 1, (last - 2).max(1)], 1.0)]

@@ -1,6 +1,6 @@
 //! Properties of a line per length, and the force of the water on a part of it.
 
-use super::one_sided::{mean_one_sided, one_sided};
+use super::one_sided::{OneSided, mean_one_sided, one_sided, positive};
 use crate::elements::Context;
 use crate::elements::lines::length_and_direction;
 use crate::scalar::Scalar;
@@ -22,6 +22,8 @@ pub struct LineSection<S = f64> {
     pub axial_stiffness: S,
     /// tau, s: the tension is EA (e + tau e') at the strain e.
     pub damping_time: S,
+    /// EI, N m^2: a line with bending stiffness also pushes, one without becomes slack.
+    pub bending_stiffness: S,
     /// Added mass over the mass of the displaced water, across and along.
     pub added_mass: [S; 2],
     /// Drag coefficients: across of the area d L, along of the area pi d L.
@@ -153,17 +155,44 @@ impl<S: Scalar> WetPart<S> {
 }
 
 impl<S: Scalar> LineSection<S> {
-    /// Returns the tension at a stretch ratio and its rate, N: the part that is stored, and the whole. A line does not push.
+    /// Returns the first numbers for a line that also pushes, the second ones for a line that only pulls.
+    fn if_pushes<const N: usize>(&self, pushes: [S; N], pulls: [S; N]) -> [S; N] {
+        core::array::from_fn(|k| self.bending_stiffness.select_below(f64::MIN_POSITIVE, || pulls[k], || pushes[k]))
+    }
+
+    /// Returns a tension if the line can have it: one that only pulls has no negative one.
+    pub fn possible(&self, tension: S) -> S {
+        self.if_pushes([tension], [positive(tension)])[0]
+    }
+
+    /// Returns the derivative of the tension along the strain, N, from that of a line that only pulls.
+    pub fn rise(&self, pulls: S) -> S {
+        self.if_pushes([self.axial_stiffness], [pulls])[0]
+    }
+
+    /// Returns the tension at a stretch ratio and its rate, N: the part that is stored, and the whole.
     pub fn tension(&self, ratio: S, rate: S) -> [S; 2] {
-        one_sided(ratio - S::ONE, rate, self.damping_time).map(|part| self.axial_stiffness * part)
+        let (strain, tau) = (ratio - S::ONE, self.damping_time);
+        self.if_pushes([strain, strain + tau * rate], one_sided(strain, rate, tau))
+            .map(|part| self.axial_stiffness * part)
+    }
+
+    /// Returns the energy of strain per length at a stretch ratio, J/m.
+    pub fn strain_energy(&self, ratio: S) -> S {
+        let strain = self.possible(ratio - S::ONE);
+        self.axial_stiffness * (strain * strain * S::constant(0.5))
     }
 
     /// Returns the mean tension of an interval between two stretch ratios with this rate, N, as [`tension`](Self::tension), and
     /// its derivatives along the ratio at the end and along the rate.
     pub fn mean_tension(&self, ratios: [S; 2], rate: S) -> ([S; 2], [S; 2]) {
-        let mean = mean_one_sided(ratios.map(|ratio| ratio - S::ONE), rate, self.damping_time);
-        let stiff = |part: S| self.axial_stiffness * part;
-        ([mean.elastic, mean.whole].map(stiff), mean.slopes.map(stiff))
+        let (strains, half) = (ratios.map(|ratio| ratio - S::ONE), S::constant(0.5));
+        let OneSided { elastic, whole, slopes: [along, per_rate] } = mean_one_sided(strains, rate, self.damping_time);
+        let mean = (strains[0] + strains[1]) * half;
+        let pushes = [mean, mean + self.damping_time * rate, half, self.damping_time];
+        let [elastic, whole, along, per_rate] =
+            self.if_pushes(pushes, [elastic, whole, along, per_rate]).map(|part| self.axial_stiffness * part);
+        ([elastic, whole], [along, per_rate])
     }
 
     /// Returns a part of this length in the water at a point, with the height of its middle and its unit tangent, and with what

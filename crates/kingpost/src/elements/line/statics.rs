@@ -1,5 +1,6 @@
 //! The shape of a line at rest, between given ends.
 
+use super::bend::LineEnds;
 use super::blocks::Blocks;
 use super::descent::Descent;
 use super::ground::LineGround;
@@ -41,10 +42,11 @@ pub struct LineStatics<S> {
 }
 
 impl<S: Scalar> LineStatics<S> {
-    /// Allocates the memory for this number of nodes.
-    pub fn new(count: usize) -> Self {
+    /// Allocates the memory for the nodes of a mesh.
+    pub fn new(mesh: &LineMesh<S>) -> Self {
+        let count = mesh.nodes.len();
         let zero = vec![Vector3::zero(); count];
-        let (blocks, descent) = (Blocks::new(count), Descent::new(count));
+        let (blocks, descent) = (Blocks::new(count, !mesh.bends.is_empty()), Descent::new(count));
         Self { positions: zero.clone(), tangents: zero, blocks, descent, found: false }
     }
 
@@ -54,22 +56,22 @@ impl<S: Scalar> LineStatics<S> {
         &mut self,
         mesh: &LineMesh<S>,
         ground: Option<&LineGround<S>>,
-        ends: [Vector3<S>; 2],
+        LineEnds { places, directions }: &LineEnds<S>,
         at: &Context<'_, S>,
     ) -> &[Vector3<S>] {
         if !self.found {
-            lay(mesh, ground, ends, at, &mut self.positions);
+            lay(mesh, ground, *places, at, &mut self.positions);
         }
         let plain = |x: S| S::from_values([x], &|x| x)[0];
         let last = self.positions.len() - 1;
         self.positions.iter_mut().for_each(|place| *place = Vector3(place.0.map(plain)));
-        (self.positions[0], self.positions[last]) = (ends[0], ends[1]);
+        (self.positions[0], self.positions[last]) = (places[0], places[1]);
         let (limit, longest) = (mesh.length * S::constant(CONVERGED), mesh.shortest() * S::constant(LONGEST_MOVE));
         let mut more = if S::HAS_DERIVATIVES { FOR_DERIVATIVES } else { 0 };
         self.found = false;
         self.descent.begin();
         for _ in 0..MOST_ITERATIONS {
-            self.assemble(mesh, ground, at);
+            self.assemble(mesh, ground, directions, at);
             self.descent.improve(&mut self.blocks, &mut self.positions, [limit, longest], more > 0);
             if self.descent.is_small(limit) {
                 more = more.saturating_sub(1);
@@ -84,7 +86,13 @@ impl<S: Scalar> LineStatics<S> {
     }
 
     /// Writes the equations of Newton's method.
-    fn assemble(&mut self, mesh: &LineMesh<S>, ground: Option<&LineGround<S>>, at: &Context<'_, S>) {
+    fn assemble(
+        &mut self,
+        mesh: &LineMesh<S>,
+        ground: Option<&LineGround<S>>,
+        directions: &[Vector3<S>; 2],
+        at: &Context<'_, S>,
+    ) {
         self.blocks.clear();
         tangents(&self.positions, &mut self.tangents);
         let still = [Vector3::zero(); 3];
@@ -95,11 +103,17 @@ impl<S: Scalar> LineStatics<S> {
             let places = [0, 1, 2].map(|i| self.positions[k / 2 * 2 + i]);
             let found = strained(section, &slopes, &places, &still);
             let ([tension, _], [ratio, _], tangent) = (found.tension, found.ratio, found.tangent);
-            let rise = tension.select_below(f64::MIN_POSITIVE, || S::ZERO, || section.axial_stiffness);
+            let stiff = section.axial_stiffness;
+            let rise = section.rise(tension.select_below(f64::MIN_POSITIVE, || S::ZERO, || stiff));
             let along = Matrix3::outer(tangent, tangent);
             let across = tension.select_below(f64::MIN_POSITIVE, || S::ZERO, || tension / ratio);
             let stiffness = along.scaled(rise) + (Matrix3::identity() - along).scaled(across);
-            self.blocks.add_at(k / 2, &slopes, &stiffness.scaled(half), -(tangent * (tension * half)));
+            self.blocks.add_at(k / 2 * 2, &slopes, &stiffness.scaled(half), -(tangent * (tension * half)));
+        }
+        for bend in &mesh.bends {
+            let curvature = bend.curvature(|node| self.positions[node], directions);
+            let stiffness = Matrix3::identity().scaled(bend.stiffness);
+            self.blocks.add_at(bend.first, &bend.weights, &stiffness, -(curvature * bend.stiffness));
         }
         for node in 1..self.positions.len() - 1 {
             let (place, part) = (self.positions[node], &mesh.nodes[node]);

@@ -14,13 +14,14 @@
 //! nodes (`pay_out.rs`) changes `x_1 - x_0` by c (L_1 - L_0), and the force by a part that its derivatives leave out: it is
 //! smaller by the speed of paying out over that of the waves in the line.
 
+use super::bend::LineEnds;
 use super::blocks::Blocks;
 use super::descent::Descent;
 use super::feed::write_drifts;
 use super::ground::LineGround;
-use super::mesh::LineMesh;
+use super::mesh::{LineMesh, LineMeshElement};
 use super::nodes::{Nodes, tangents};
-use super::one_sided::{positive, share_at_end};
+use super::one_sided::share_at_end;
 use super::section::WetPart;
 use super::strain::{gauss, slopes, sum};
 use crate::dynamics::Clock;
@@ -96,7 +97,11 @@ pub struct LineStep<S> {
     base: Vec<BaseNode<S>>,
     /// Derivatives of position and velocity along the line at the base, at the points of Gauss's rule.
     stretched: Vec<BaseStretch<S>>,
+    /// Curvatures at the bends of the mesh at the base.
+    curved: Vec<Vector3<S>>,
     next: Vec<Vector3<S>>,
+    /// Directions of the ends at the last point.
+    directions: [Vector3<S>; 2],
     tangents: Vec<Vector3<S>>,
     blocks: Blocks<S>,
     descent: Descent<S>,
@@ -127,9 +132,11 @@ impl<S: Scalar> LineStep<S> {
         Self {
             base: vec![node; count],
             stretched: vec![BaseStretch { way: zero, ratio: S::ZERO, rate: zero, drift: zero }; count - 1],
+            curved: vec![zero; mesh.bends.len()],
             next: vec![zero; count],
+            directions: [zero; 2],
             tangents: vec![zero; count],
-            blocks: Blocks::new(count),
+            blocks: Blocks::new(count, !mesh.bends.is_empty()),
             descent: Descent::new(count),
             clock: [0.0; 3],
             drifts: vec![zero; 2 * mesh.supplied],
@@ -161,10 +168,11 @@ impl<S: Scalar> LineStep<S> {
             let rate = sum(&slopes, &[0, 1, 2].map(|i| self.base[k / 2 * 2 + i].velocity));
             *stretched = BaseStretch { way, ratio: way.norm(), rate, drift: Vector3::zero() };
         }
-        self.energy = self.energy_of(mesh, ground, at.world.gravity, |i| {
-            let BaseNode { position, velocity, .. } = self.base[i];
-            [position, velocity]
-        });
+        for (curved, bend) in self.curved.iter_mut().zip(&mesh.bends) {
+            *curved = bend.curvature(|node| self.base[node].position, &nodes.directions);
+        }
+        let motion = |i: usize| [self.base[i].position, self.base[i].velocity];
+        self.energy = self.energy_of(mesh, ground, at.world.gravity, motion, &nodes.directions);
         if mesh.supplied > 0 {
             mesh.set_first(mesh.first() + rate * half);
             self.drift(mesh);
@@ -209,15 +217,18 @@ impl<S: Scalar> LineStep<S> {
         ground: Option<&LineGround<S>>,
         gravity: S,
         motion: impl Fn(usize) -> [Vector3<S>; 2],
+        directions: &[Vector3<S>; 2],
     ) -> S {
         let half = S::constant(0.5);
         let mut energy = S::ZERO;
         for k in 0..self.stretched.len() {
             let slopes = slopes(gauss(k), mesh.elements[k / 2].length);
             let way = sum(&slopes, &[0, 1, 2].map(|i| motion(k / 2 * 2 + i)[0]));
-            let strain = positive(way.norm() - S::ONE);
-            energy += mesh.elements[k / 2].section.axial_stiffness
-                * (strain * strain * half * half * mesh.elements[k / 2].length);
+            let LineMeshElement { length, section } = &mesh.elements[k / 2];
+            energy += section.strain_energy(way.norm()) * *length * half;
+        }
+        for bend in &mesh.bends {
+            energy += bend.energy(bend.curvature(|node| motion(node)[0], directions));
         }
         for i in 1..self.base.len() - 1 {
             let ([position, velocity], part) = (motion(i), &mesh.nodes[i]);
@@ -242,12 +253,13 @@ impl<S: Scalar> LineStep<S> {
         &mut self,
         mesh: &LineMesh<S>,
         ground: Option<&LineGround<S>>,
-        ends: [Vector3<S>; 2],
+        LineEnds { places, directions }: &LineEnds<S>,
         time_s: f64,
     ) -> Result<(), f64> {
         let interval_s = time_s - self.clock[0];
         self.paid[1] = mesh.first() - self.paid[0];
-        self.predict(interval_s, ends);
+        self.directions = *directions;
+        self.predict(interval_s, *places);
         let limits = [CONVERGED, LONGEST_MOVE].map(|share| mesh.shortest() * S::constant(share));
         self.descent.begin();
         for _ in 0..MOST_ITERATIONS {
@@ -279,7 +291,17 @@ impl<S: Scalar> LineStep<S> {
             let half = mesh.elements[k / 2].length * S::constant(0.5);
             let (slopes, _) = self.stretched_to(k, mesh);
             let (direction, [_, whole], stiffness) = self.pull(k, mesh, interval);
-            self.blocks.add_at(k / 2, &slopes, &stiffness.scaled(half), -(direction * (whole * half)));
+            self.blocks.add_at(k / 2 * 2, &slopes, &stiffness.scaled(half), -(direction * (whole * half)));
+        }
+        for (bend, before) in mesh.bends.iter().zip(&self.curved) {
+            let after = bend.curvature(|node| self.next[node], &self.directions);
+            let half = bend.stiffness * S::constant(0.5);
+            self.blocks.add_at(
+                bend.first,
+                &bend.weights,
+                &Matrix3::identity().scaled(half),
+                -((*before + after) * half),
+            );
         }
         let (per_s, two) = (S::ONE / interval, S::constant(2.0));
         for i in 1..self.base.len() - 1 {
@@ -386,7 +408,7 @@ impl<S: Scalar> LineStep<S> {
             booked.outside += of_water.dot(self.way(i)) + of_drag;
         }
         let motion = |i: usize| [self.next[i], self.velocity(i)];
-        let change = self.energy_of(mesh, ground, gravity, motion) - self.energy;
+        let change = self.energy_of(mesh, ground, gravity, motion, &self.directions) - self.energy;
         booked.on_ends = booked.outside - booked.dissipated - change;
         booked
     }
