@@ -7,11 +7,12 @@ use crate::spatial::{Matrix3, Vector3};
 /// The equations `A x = b` of a line whose ends do not move.
 #[derive(Clone, Debug)]
 pub struct Blocks<S> {
-    /// Blocks of A on the diagonal, by node; their inverses once they are eliminated.
+    /// Blocks of A on the diagonal, by node; once A is factored, the inverses of those of U.
     diagonal: Vec<Matrix3<S>>,
-    /// Blocks of A between a node and the next, and the second next one. Each is the same above and below the diagonal.
+    /// Blocks of A between a node and the next, and the second next one: each is the same above and below the diagonal. Once A
+    /// is factored, those of U.
     above: Vec<[Matrix3<S>; 2]>,
-    /// Blocks below the diagonal, while nodes are eliminated.
+    /// Blocks of L below the diagonal, once A is factored.
     below: Vec<[Matrix3<S>; 2]>,
     /// b, by node.
     right: Vec<Vector3<S>>,
@@ -32,23 +33,38 @@ impl<S: Scalar> Blocks<S> {
         }
     }
 
-    /// Sets all entries to zero.
-    pub fn clear(&mut self) {
-        self.diagonal.fill(Matrix3::zero());
-        self.above.fill([Matrix3::zero(); 2]);
+    /// Sets all entries to zero: those of b, and of A with `MATRIX`.
+    pub fn clear<const MATRIX: bool>(&mut self) {
         self.right.fill(Vector3::zero());
+        if MATRIX {
+            self.diagonal.fill(Matrix3::zero());
+            self.above.fill([Matrix3::zero(); 2]);
+        }
     }
 
-    /// Adds to the block of a node on the diagonal, and to its right side.
-    pub fn add(&mut self, node: usize, diagonal: Matrix3<S>, right: Vector3<S>) {
-        self.diagonal[node] += diagonal;
+    /// Adds to b at a node, and to its block of A on the diagonal with `MATRIX`.
+    #[inline]
+    pub fn add<const MATRIX: bool>(&mut self, node: usize, diagonal: Matrix3<S>, right: Vector3<S>) {
         self.right[node] += right;
+        if MATRIX {
+            self.diagonal[node] += diagonal;
+        }
     }
 
-    /// Adds the stiffness `B w_i w_j` and the force `f w_i` of three successive nodes with these weights.
-    pub fn add_at(&mut self, first: usize, weights: &[S; 3], stiffness: &Matrix3<S>, force: Vector3<S>) {
+    /// Adds the force `f w_i` of three successive nodes with these weights, and the stiffness `B w_i w_j` with `MATRIX`.
+    #[inline]
+    pub fn add_at<const MATRIX: bool>(
+        &mut self,
+        first: usize,
+        weights: &[S; 3],
+        stiffness: &Matrix3<S>,
+        force: Vector3<S>,
+    ) {
         for (k, weight) in weights.iter().enumerate() {
-            self.add(first + k, stiffness.scaled(*weight * *weight), force * *weight);
+            self.add::<MATRIX>(first + k, stiffness.scaled(*weight * *weight), force * *weight);
+        }
+        if !MATRIX {
+            return;
         }
         let [a, b, c] = *weights;
         self.above[first][0] += stiffness.scaled(a * b);
@@ -61,11 +77,22 @@ impl<S: Scalar> Blocks<S> {
         &self.right
     }
 
-    /// Solves for x, which is zero at the ends; entries are not finite if A is singular. Overwrites A and b.
-    pub fn solve(&mut self, x: &mut [Vector3<S>]) {
-        let last = x.len() - 1;
+    /// Factors A = L U.
+    pub fn factor(&mut self) {
+        let last = self.right.len() - 1;
         self.below.copy_from_slice(&self.above);
         (1..last).for_each(|node| self.eliminate(node, last));
+    }
+
+    /// Solves for x, which is zero at the ends, with A factored; entries are not finite if A is singular. Overwrites b.
+    pub fn solve(&mut self, x: &mut [Vector3<S>]) {
+        let last = x.len() - 1;
+        for node in 1..last {
+            let right = self.right[node];
+            for behind in 1..=self.reach(node, last) {
+                self.right[node + behind] -= self.below[node][behind - 1] * right;
+            }
+        }
         (x[0], x[last]) = (Vector3::zero(), Vector3::zero());
         for node in (1..last).rev() {
             let mut right = self.right[node];
@@ -88,8 +115,7 @@ impl<S: Scalar> Blocks<S> {
         let (reach, [near, far]) = (self.reach(node, last), self.above[node]);
         for behind in 1..=reach {
             let factor = self.below[node][behind - 1] * inverse;
-            let right = self.right[node];
-            self.right[node + behind] -= factor * right;
+            self.below[node][behind - 1] = factor;
             let row = [factor * near, if reach > 1 { factor * far } else { Matrix3::zero() }];
             self.diagonal[node + behind] -= row[behind - 1];
             if reach == 2 {
@@ -130,12 +156,13 @@ mod tests {
                     let k = 20 * first + 10 * point;
                     let b = Matrix3::from_fn(|i, j| number(k + 3 * i + j)) + Matrix3::identity().scaled(4.0);
                     let weights = [number(k) - 2.0, number(k + 1), 2.0 + number(k + 2)];
-                    a.add_at(first, &weights, &b, Vector3::new(1.0, number(k), 0.3));
+                    a.add_at::<true>(first, &weights, &b, Vector3::new(1.0, number(k), 0.3));
                 }
             }
-            (0..count).for_each(|node| a.add(node, Matrix3::identity().scaled(20.0), Vector3::zero()));
+            (0..count).for_each(|node| a.add::<true>(node, Matrix3::identity().scaled(20.0), Vector3::zero()));
             let mut x = vec![Vector3::zero(); count];
             let given = a.clone();
+            a.factor();
             a.solve(&mut x);
             for (node, product) in times(&given, &x).iter().enumerate().take(count - 1).skip(1) {
                 // A few units in the last place of the largest products, about 100.

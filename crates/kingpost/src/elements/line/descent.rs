@@ -42,8 +42,14 @@ impl<S: Scalar> Descent<S> {
     }
 
     /// Moves the nodes, whose equations are given, by at most `longest` (m). Ends the search of each lane whose Newton move is
-    /// shorter than `enough` (m), unless `more` iterations are wanted.
-    pub fn improve(&mut self, blocks: &mut Blocks<S>, nodes: &mut [Vector3<S>], [enough, longest]: [S; 2], more: bool) {
+    /// shorter than `enough` (m), if it may arrive: 1, or 0.
+    pub fn improve(
+        &mut self,
+        blocks: &mut Blocks<S>,
+        nodes: &mut [Vector3<S>],
+        [enough, longest]: [S; 2],
+        may_arrive: S,
+    ) {
         self.forces.copy_from_slice(blocks.right());
         blocks.solve(&mut self.newton);
         let half = S::constant(0.5);
@@ -70,10 +76,8 @@ impl<S: Scalar> Descent<S> {
                 way[k] = back.select_below(0.5, || whole, || halved);
             }
         }
-        let small = self.size.select_less(enough, || S::ONE, || S::ZERO);
-        if !(more && small.all(|small| small == 1.0)) {
-            self.goes_on = small.select_below(0.5, || self.goes_on, || S::ZERO);
-        }
+        let arrives = self.size.select_less(enough, || may_arrive, || S::ZERO);
+        self.goes_on = arrives.select_below(0.5, || self.goes_on, || S::ZERO);
     }
 
     /// Whether all lanes have arrived.

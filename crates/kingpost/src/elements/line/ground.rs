@@ -19,6 +19,18 @@ pub struct LineGround<S = f64> {
     pub sliding_speed: S,
 }
 
+/// The mean support of a part of a line by the ground over an interval.
+pub struct MeanSupport<S> {
+    /// N.
+    pub force: Vector3<S>,
+    /// J.
+    pub heat: S,
+    /// Derivative of the force along the way, with the sign changed, N/m.
+    pub slope: Matrix3<S>,
+    /// Derivative of the support along the depth over its stiffness, and share to which friction holds the part.
+    pub rise: S,
+}
+
 impl<S: Scalar> LineGround<S> {
     /// Returns force (N), heat (W) and stored energy (J) of a part of this length, which is `depth` (m) under the ground, at a
     /// velocity.
@@ -41,16 +53,16 @@ impl<S: Scalar> LineGround<S> {
         [force, force * elastic * S::constant(0.5)]
     }
 
-    /// Returns the mean force (N) over an interval on a part of this length that moves by `way` (m) between two depths under
-    /// the ground and sinks with `sinking` (m/s) at first, its heat (J), and the derivative of the force along the way, with the
-    /// sign changed, N/m.
+    /// Returns the mean support over an interval of a part of this length that moves by `way` (m) between two depths under the
+    /// ground and sinks with `sinking` (m/s) at first.
+    #[inline]
     pub fn mean_support(
         &self,
         length: S,
         (depths, sinking): ([S; 2], S),
         way: Vector3<S>,
         interval_s: S,
-    ) -> (Vector3<S>, S, Matrix3<S>) {
+    ) -> MeanSupport<S> {
         let per_s = S::ONE / interval_s;
         let stiffness = self.stiffness_per_length * length;
         let (share, mean) = (share_at_end(interval_s, self.damping_time), (depths[1] - depths[0]) * per_s);
@@ -70,6 +82,12 @@ impl<S: Scalar> LineGround<S> {
             [S::ZERO, S::ZERO, rise],
         ]);
         let heat = limit * (ex * way[0] + ey * way[1]) + stiffness * (whole - elastic) * (depths[1] - depths[0]);
-        (Vector3::new(-(limit * ex), -(limit * ey), normal), heat, slope)
+        let held = normal.select_below(f64::MIN_POSITIVE, || S::ZERO, || self.sliding_speed * per_speed);
+        MeanSupport {
+            force: Vector3::new(-(limit * ex), -(limit * ey), normal),
+            heat,
+            slope,
+            rise: rise / stiffness + held,
+        }
     }
 }

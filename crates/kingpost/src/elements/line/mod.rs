@@ -21,6 +21,7 @@ mod nodes;
 mod one_sided;
 mod pay_out;
 mod section;
+mod span;
 mod statics;
 mod step;
 mod strain;

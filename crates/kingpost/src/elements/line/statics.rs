@@ -72,7 +72,13 @@ impl<S: Scalar> LineStatics<S> {
         self.descent.begin();
         for _ in 0..MOST_ITERATIONS {
             self.assemble(mesh, ground, directions, at);
-            self.descent.improve(&mut self.blocks, &mut self.positions, [limit, longest], more > 0);
+            self.blocks.factor();
+            self.descent.improve(
+                &mut self.blocks,
+                &mut self.positions,
+                [limit, longest],
+                if more > 0 { S::ZERO } else { S::ONE },
+            );
             if self.descent.is_small(limit) {
                 more = more.saturating_sub(1);
             }
@@ -93,7 +99,7 @@ impl<S: Scalar> LineStatics<S> {
         directions: &[Vector3<S>; 2],
         at: &Context<'_, S>,
     ) {
-        self.blocks.clear();
+        self.blocks.clear::<true>();
         tangents(&self.positions, &mut self.tangents);
         let still = [Vector3::zero(); 3];
         for k in 0..self.positions.len() - 1 {
@@ -108,12 +114,12 @@ impl<S: Scalar> LineStatics<S> {
             let along = Matrix3::outer(tangent, tangent);
             let across = tension.select_below(f64::MIN_POSITIVE, || S::ZERO, || tension / ratio);
             let stiffness = along.scaled(rise) + (Matrix3::identity() - along).scaled(across);
-            self.blocks.add_at(k / 2 * 2, &slopes, &stiffness.scaled(half), -(tangent * (tension * half)));
+            self.blocks.add_at::<true>(k / 2 * 2, &slopes, &stiffness.scaled(half), -(tangent * (tension * half)));
         }
         for bend in &mesh.bends {
             let curvature = bend.curvature(|node| self.positions[node], directions);
             let stiffness = Matrix3::identity().scaled(bend.stiffness);
-            self.blocks.add_at(bend.first, &bend.weights, &stiffness, -(curvature * bend.stiffness));
+            self.blocks.add_at::<true>(bend.first, &bend.weights, &stiffness, -(curvature * bend.stiffness));
         }
         for node in 1..self.positions.len() - 1 {
             let (place, part) = (self.positions[node], &mesh.nodes[node]);
@@ -130,7 +136,7 @@ impl<S: Scalar> LineStatics<S> {
                 let stiff = ground.stiffness_per_length * part.length;
                 stiffness.0[2][2] += under.select_below(0.0, || S::ZERO, || stiff);
             }
-            self.blocks.add(node, stiffness, force);
+            self.blocks.add::<true>(node, stiffness, force);
         }
     }
 }

@@ -27,7 +27,8 @@ pub struct Strained<S> {
 /// Returns the derivatives of the three shape functions along an element of length h, at xi in halves of it from the
 /// middle: `N' = (xi - 1/2, -2 xi, xi + 1/2) 2 / h`.
 pub fn slopes<S: Scalar>(xi: f64, length: S) -> [S; 3] {
-    [xi - 0.5, -2.0 * xi, xi + 0.5].map(|slope| S::constant(2.0 * slope) / length)
+    let per_half = S::constant(2.0) / length;
+    [xi - 0.5, -2.0 * xi, xi + 0.5].map(|slope| S::constant(slope) * per_half)
 }
 
 /// Returns the values of the three shape functions.
