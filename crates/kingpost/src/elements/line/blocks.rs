@@ -14,6 +14,9 @@ pub struct Blocks<S> {
     above: Vec<[Matrix3<S>; 2]>,
     /// Blocks of L below the diagonal, once A is factored.
     below: Vec<[Matrix3<S>; 2]>,
+    /// Blocks of A between a node and the next, which are those between the node and the one before it with the sign changed:
+    /// in addition to those above, if there are any.
+    turns: Vec<Matrix3<S>>,
     /// b, by node.
     right: Vec<Vector3<S>>,
     /// Whether nodes in the middle of neighbouring elements act on each other, by bending.
@@ -28,6 +31,7 @@ impl<S: Scalar> Blocks<S> {
             diagonal: vec![zero; nodes],
             above: pairs.clone(),
             below: pairs,
+            turns: Vec::new(),
             right: vec![Vector3::zero(); nodes],
             bends,
         }
@@ -39,6 +43,7 @@ impl<S: Scalar> Blocks<S> {
         if MATRIX {
             self.diagonal.fill(Matrix3::zero());
             self.above.fill([Matrix3::zero(); 2]);
+            self.turns.fill(Matrix3::zero());
         }
     }
 
@@ -72,6 +77,12 @@ impl<S: Scalar> Blocks<S> {
         self.above[first][1] += stiffness.scaled(a * c);
     }
 
+    /// Adds the derivative of the force on a node along the way from the one before it to the next, with the sign changed.
+    pub fn turn(&mut self, node: usize, derivative: Matrix3<S>) {
+        self.turns.resize(self.right.len(), Matrix3::zero());
+        self.turns[node] += derivative;
+    }
+
     /// Returns b at the nodes; that of the ends has no meaning.
     pub fn right(&self) -> &[Vector3<S>] {
         &self.right
@@ -81,6 +92,10 @@ impl<S: Scalar> Blocks<S> {
     pub fn factor(&mut self) {
         let last = self.right.len() - 1;
         self.below.copy_from_slice(&self.above);
+        for (node, turn) in self.turns.iter().enumerate().take(last).skip(1) {
+            self.above[node][0] += *turn;
+            self.below[node - 1][0] -= *turn;
+        }
         (1..last).for_each(|node| self.eliminate(node, last));
     }
 

@@ -154,6 +154,21 @@ impl<S: Scalar> WetPart<S> {
     }
 }
 
+impl<S: Scalar> WetPart<S> {
+    /// Returns the derivative of the drag on the part at rest along its tangent, N.
+    pub fn turning_drag(&self) -> Matrix3<S> {
+        let ([across, tangential], water) = (self.drag, self.velocity);
+        let along = self.tangent.dot(water);
+        let (speed, direction) = length_and_direction(water - self.tangent * along);
+        let along_speed = along.select_below(0.0, || -along, || along);
+        let turned = Matrix3::outer(self.tangent, water);
+        let same = Matrix3::identity().scaled(along);
+        let normals = (Matrix3::identity() + Matrix3::outer(direction, direction)).scaled(across * speed);
+        let of_tangent = (turned.scaled(S::constant(2.0)) + same).scaled(tangential * along_speed);
+        of_tangent - normals * (turned + same)
+    }
+}
+
 impl<S: Scalar> LineSection<S> {
     /// Returns the first numbers for a line that also pushes, the second ones for a line that only pulls.
     fn if_pushes<const N: usize>(&self, pushes: [S; N], pulls: [S; N]) -> [S; N] {

@@ -6,9 +6,10 @@ use super::descent::Descent;
 use super::ground::LineGround;
 use super::mesh::{LineMesh, LineMeshElement};
 use super::nodes::tangents;
+use super::section::WetPart;
 use super::strain::{gauss, slopes, strained};
 use crate::elements::Context;
-use crate::elements::lines::{Catenary, Span};
+use crate::elements::lines::{Catenary, Span, length_and_direction};
 use crate::scalar::Scalar;
 use crate::spatial::{Matrix3, Vector3};
 use core::f64::consts::FRAC_PI_4;
@@ -126,6 +127,8 @@ impl<S: Scalar> LineStatics<S> {
             let wet = part.in_water(at, place, self.tangents[node]);
             let weight = part.dry_mass() * at.world.gravity;
             let hold = (weight + part.section.axial_stiffness * S::constant(LIGHT)) / mesh.length * S::constant(HOLD);
+            let way = self.positions[node + 1] - self.positions[node - 1];
+            self.blocks.turn(node, turning(&wet, way));
             let mut force = wet.steady + wet.drag(Vector3::zero(), S::ZERO).force;
             force[2] -= weight;
             let mut stiffness = Matrix3::identity().scaled(hold);
@@ -139,6 +142,15 @@ impl<S: Scalar> LineStatics<S> {
             self.blocks.add::<true>(node, stiffness, force);
         }
     }
+}
+
+/// Returns the derivative of the drag on a part of a line at rest along the way from the node before it to the next, with the
+/// sign changed, N/m.
+fn turning<S: Scalar>(wet: &WetPart<S>, way: Vector3<S>) -> Matrix3<S> {
+    let (length, tangent) = length_and_direction(way);
+    let per_length = S::ONE / length.select_below(f64::MIN_POSITIVE, || S::ONE, || length);
+    let across = Matrix3::identity() - Matrix3::outer(tangent, tangent);
+    (wet.turning_drag() * across).scaled(-per_length)
 }
 
 /// Writes a first shape of a line: catenaries between its ends and its buoys, each buoy as high as its parts of the line reach,
