@@ -25,7 +25,7 @@ KEPT = [
     "dual_draglink_crane",
     "flexible_boom",
     "heave_compensation",
-    "offshore_vessel_moored",
+    "offshore_vessel_moored_quasi_static",
     "offshore_vessel_on_dp",
 ]
 """A rope, a tank, hinges, loops with cylinders, a boom that bends, a controller, moorings, thrusters."""

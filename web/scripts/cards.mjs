@@ -44,6 +44,7 @@ const SHOTS = {
   flexible_boom: { time_s: 4 },
   offshore_vessel: { time_s: 65, values: "waves=true" },
   offshore_vessel_moored: { time_s: 60 },
+  offshore_vessel_moored_quasi_static: { time_s: 60 },
   offshore_vessel_on_dp: { time_s: 60 },
   vessel_knuckle_boom: { time_s: 20, values: "waves=true" },
   vessel_dual_draglink: { time_s: 20 },

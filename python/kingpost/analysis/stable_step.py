@@ -42,5 +42,4 @@ def stable_step(scenario_or_simulation: Scenario | Simulation | str | Path) -> f
     given = scenario_or_simulation
     simulation = given if isinstance(given, Simulation) else Simulation(given)
     settings = simulation.scenario.resolved["simulation"]
-    linear = simulation.linearize()
-    return longest_step_s(settings["integrator"], linear.A.to_numpy(), linear.advanced, settings["step_s"])
+    return longest_step_s(settings["integrator"], *simulation.linear_in_calm(), settings["step_s"])

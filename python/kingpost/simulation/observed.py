@@ -60,16 +60,42 @@ class Observed:
         if count > step_limit.MOST_STATES:
             return [*known, step_limit.left_out(count)]
         try:
-            too_long = step_limit.warning(settings, self._linear)
+            too_long = step_limit.warning(settings, self.linear_in_calm)
         except KingpostError:
             # If the start cannot be linearised, the error of the run itself is clearer.
             return known
         return known if too_long is None else [*known, too_long]
 
-    def _linear(self) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
-        # The water's motion costs much, and no step is too long because of it.
+    def linear_in_calm(self) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+        """A of x' = A x in calm water, which costs less than in waves, and the marks of states that elements
+        advance themselves.
+
+        If the derivatives of a start at rest are not finite, A is that of the same state of a run that does
+        not begin at rest, in which drives hold nothing.
+
+        Returns
+        -------
+        tuple of numpy.ndarray
+            A, shape (states, states), and the marks, shape (states,).
+
+        >>> from kingpost import Simulation
+        >>> matrix, advanced = Simulation("chain").linear_in_calm()
+        >>> matrix.shape == (advanced.size, advanced.size)
+        True
+        """
         a, _, _, names = self._engine.linearize(in_waves=False)
+        if not np.isfinite(a).all() and self.scenario.resolved["simulation"]["begin_at_equilibrium"]:
+            a, _, _, names = self._as_given()._engine.linearize(in_waves=False)
         return a, np.array(json.loads(names)["advanced"], bool)
+
+    def _as_given(self) -> Observed:
+        """Simulation of the scenario without its search for rest, in the present state."""
+        from .simulate import Simulation
+
+        given = Simulation(self.scenario.with_overrides({"simulation.begin_at_equilibrium": False}))
+        q, v, s = self._engine.motion()[:3]
+        given.set_state(q, v, s)
+        return given
 
     @property
     def warnings(self) -> list[Warning]:

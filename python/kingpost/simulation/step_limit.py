@@ -21,6 +21,8 @@ ADVANCING = ("forward_euler", "rk4")
 """Schemes that leave the nodes of lines to an implicit rule, whose own motions set no limit."""
 DAMPED = 0.02
 """Smallest damping ratio of the judged motions: with less damping, Euler's method is unstable at any step."""
+ROUNDING = 1e-12
+"""Growth in one step, and share of a rate, that are taken as rounding of a motion without damping."""
 LONGEST_S, HALVINGS = 1e3, 60
 MOST_LIMITS, SAME_LIMIT = 30, 0.98
 """Number of limits for lines, each with the step of the last, and the share of it that ends the search."""
@@ -53,8 +55,10 @@ def longest_step_s(
     # Lines are stiffer over a shorter step: that of a limit has a lower limit.
     for _ in range(MOST_LIMITS):
         values = np.linalg.eigvals(_with_lines_at_ends(matrix, advanced, 2 / step_s)).astype(complex)
-        # A light body on a line is damped by its waves, which the matrix does not show.
-        judged = values if integrator == "rk4" else values[-values.real > DAMPED * np.abs(values)]
+        # A light body on a line is damped by its waves, which the matrix does not show. What grows by itself
+        # grows at any step.
+        least = -ROUNDING if integrator == "rk4" else DAMPED
+        judged = values[-values.real >= least * np.abs(values)]
         limit_s = _longest_s(growth, judged)
         if limit_s is None or limit_s >= SAME_LIMIT * step_s:
             break
@@ -86,6 +90,13 @@ def left_out(states: int) -> str:
     )
 
 
+NOT_FINITE = (
+    "the longest stable step is not estimated: at the start the derivatives of the rates are not finite; "
+    "compare with half the step"
+)
+"""Warning for a model whose matrix has entries that are not finite."""
+
+
 def warning(
     settings: dict[str, Any], linear: Callable[[], tuple[NDArray[np.float64], NDArray[np.bool_]]]
 ) -> str | None:
@@ -95,7 +106,10 @@ def warning(
     """
     if settings["integrator"] not in GROWTH:
         return None
-    limit = longest_step_s(settings["integrator"], *linear(), step_s=settings["step_s"])
+    matrix, advanced = linear()
+    if not np.isfinite(matrix).all():
+        return NOT_FINITE
+    limit = longest_step_s(settings["integrator"], matrix, advanced, settings["step_s"])
     if limit is None or settings["step_s"] <= limit:
         return None
     return (
@@ -121,7 +135,7 @@ def _limits(
 ) -> NDArray[np.float64]:
     """Step from which on each damped motion grows, found by a scan and then by bisection."""
     steps = np.geomspace(1e-3, 1e2, 2000) / np.abs(values)[:, None]
-    grows = np.abs(growth(steps * values[:, None])) > 1
+    grows = np.abs(growth(steps * values[:, None])) > 1 + ROUNDING
     first = np.where(grows.any(axis=1), grows.argmax(axis=1), steps.shape[1] - 1)
     each = np.arange(len(values))
     low, high = steps[each, np.maximum(first - 1, 0)], steps[each, first]
@@ -129,6 +143,6 @@ def _limits(
     bounded = grows.any(axis=1) & (first > 0)
     for _ in range(HALVINGS):
         middle = (low + high) / 2
-        beyond = np.abs(growth(middle * values)) > 1
+        beyond = np.abs(growth(middle * values)) > 1 + ROUNDING
         low, high = np.where(beyond, low, middle), np.where(beyond, middle, high)
     return np.where(bounded, low, steps[each, first])

@@ -2,8 +2,8 @@
 
     python python/tests/peers/fairleads.py -o python/kingpost/verify/fairleads.json
 
-computes them again, in two minutes: the gallery's `offshore_vessel_moored` on four lines with mass instead of
-massless chains that damp its motions, in seas of 2.5 and 5 m.
+computes them again, in two minutes: the gallery's `offshore_vessel_moored_quasi_static` on four lines with
+mass instead of massless chains that damp its motions, in seas of 2.5 and 5 m.
 
 A motion is its speeds at equal times, in mm/s, with straight lines between them: those whose integral is
 nearest to the record.
@@ -25,7 +25,7 @@ from kingpost.scenario import Scenario
 from kingpost.simulation.simulate import run
 
 COMMAND = "python python/tests/peers/fairleads.py -o python/kingpost/verify/fairleads.json"
-FROM = "offshore_vessel_moored"
+FROM = "offshore_vessel_moored_quasi_static"
 HEIGHTS_M = {"moderate": 2.5, "high": 5.0}
 KEPT = {"windward": "starboard_bow", "leeward": "port_stern", "side": "starboard_stern"}
 """The line with the largest tensions, its opposite, and the other one of the loaded side."""

@@ -22,6 +22,14 @@ export interface Line {
   colour?: AxisColour;
   /** Whether the line is interrupted where an angle jumps from +180 to -180 degrees. */
   wraps?: boolean;
+  /** Name of the quantity whose points along the element this line is one of. */
+  along?: string;
+}
+
+/** Lines of one quantity at the points along an element, which a list shows as one entry. */
+export interface Fold {
+  name: string;
+  lines: Line[];
 }
 
 const COLOUR_OF: Record<string, AxisColour> = { x: "roll", y: "pitch", z: "yaw", roll: "roll", pitch: "pitch", yaw: "yaw" };
@@ -31,6 +39,7 @@ function lineOf(channel: Channel, place: number): Line {
   const { variable, long_name, columns, units } = channel;
   const [thing, components] = labelsAt(channel, place);
   const words = [variable, ...components].map(inWords).reduce((so, next) => `${so} ${beside(so, next)}`);
+  const along = channel.along ? { along: beside(thing, inWords(variable)) } : {};
   return {
     id: columns[place],
     thing,
@@ -40,16 +49,19 @@ function lineOf(channel: Channel, place: number): Line {
     unit: units[place],
     colour: COLOUR_OF[components.at(-1) ?? variable],
     wraps: TURNS_AROUND.includes(variable) && units[place] === "rad",
+    ...along,
   };
 }
 
 /** Returns the element or body of a column, and the other labels of the column; the last dimension varies fastest. */
-function labelsAt({ dims, labels }: Channel, place: number): [string, string[]] {
+function labelsAt({ along, dims, labels }: Channel, place: number): [string, string[]] {
+  // The label of a point along an element begins with the name of the element.
+  if (along) return [along.lines[place], [labels[0][place].slice(along.lines[place].length + 1)]];
   const found: string[] = [];
   let left = place;
-  for (const along of [...labels].reverse()) {
-    found.unshift(along[left % along.length]);
-    left = Math.floor(left / along.length);
+  for (const names of [...labels].reverse()) {
+    found.unshift(names[left % names.length]);
+    left = Math.floor(left / names.length);
   }
   return dims[0] === "axis" || dims.length === 0 ? ["", found] : [found[0], found.slice(1)];
 }
@@ -73,6 +85,21 @@ export function linesOf(model: ModelInfo, channels: readonly Channel[]): Line[] 
   });
   const columns = channels.filter(({ variable }) => variable !== "time");
   return [...columns.flatMap((channel) => channel.columns.map((_, place) => lineOf(channel, place))), ...carrying, ...model.hulls.map(heaveLine)];
+}
+
+/** Returns lines in their order, with those at points along an element as one entry in the place of the first. */
+export function foldPoints(lines: readonly Line[]): (Line | Fold)[] {
+  const folds = new Map<string, Fold>();
+  return lines.flatMap((line): (Line | Fold)[] => {
+    if (line.along === undefined) return [line];
+    const key = `${line.thing}.${line.along}`;
+    const fold = folds.get(key);
+    fold?.lines.push(line);
+    if (fold) return [];
+    const first = { name: line.along, lines: [line] };
+    folds.set(key, first);
+    return [first];
+  });
 }
 
 /** Returns the name of a line in a legend. */

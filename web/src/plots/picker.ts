@@ -2,8 +2,8 @@ import { texts } from "../texts";
 import { make, setText } from "../ui/dom";
 import { MOST_LINES } from "./figures";
 import type { Figure, Figures } from "./figures";
-import { hasWords, inWords, labelOf } from "./lines";
-import type { Line } from "./lines";
+import { foldPoints, hasWords, inWords, labelOf } from "./lines";
+import type { Fold, Line } from "./lines";
 import { CHART_KINDS, PARTS } from "./view";
 import type { PlotView } from "./view";
 
@@ -138,11 +138,23 @@ export class Picker {
   }
 
   private group(thing: string, lines: readonly Line[]): HTMLElement {
-    const items = lines.map((line) => {
-      const box = make("input", { type: "checkbox", value: line.id });
-      box.addEventListener("change", () => this.take(line.id, box.checked));
-      return make("label", { class: "item item-checkbox", title: line.about }, box, make("span", {}, line.what), make("span", { class: "muted picker-unit" }, line.unit));
-    });
+    const items = foldPoints(lines).map((one) => ("lines" in one ? this.fold(one) : this.item(one)));
     return make("fieldset", {}, make("legend", {}, inWords(thing) || texts.plots.whole_model), ...items);
+  }
+
+  private item(line: Line): HTMLElement {
+    const box = make("input", { type: "checkbox", value: line.id });
+    box.addEventListener("change", () => this.take(line.id, box.checked));
+    return make("label", { class: "item item-checkbox", title: line.about }, box, make("span", {}, line.what), make("span", { class: "muted picker-unit" }, line.unit));
+  }
+
+  /** Lists the points along an element as one entry, which is open if a search finds some of them or one is chosen. */
+  private fold({ name, lines }: Fold): HTMLElement {
+    const { figures, view } = this.picked!;
+    const [{ thing, along, about }] = lines;
+    const all = figures.lines.filter((line) => line.thing === thing && line.along === along).length;
+    const isOpen = lines.length < all || lines.some(({ id }) => view.lines.includes(id));
+    const summary = make("summary", { class: "item", title: about }, texts.plots.points(name, lines.length));
+    return make("details", { class: "picker-fold", ...(isOpen ? { open: "" } : {}) }, summary, make("div", { class: "picker-points" }, ...lines.map((line) => this.item(line))));
   }
 }

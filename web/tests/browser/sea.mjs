@@ -116,7 +116,7 @@ export default {
     const { page, close } = await openBarge(host);
     const warnings = page.getByTestId("model-warnings");
     assert.equal(await warnings.isVisible(), false);
-    await page.getByTestId("gallery").selectOption("offshore_vessel_moored");
+    await page.getByTestId("gallery").selectOption("offshore_vessel_moored_quasi_static");
     await warnings.waitFor();
     assert.equal(await warnings.locator("summary").textContent(), "4 warnings about the model");
     await warnings.locator("summary").click();

@@ -62,7 +62,7 @@ fn accepts_a_light_rope() {
 #[test]
 fn warns_of_chains_that_waves_excite() {
     let of = |set: &[(&str, serde_json::Value)]| {
-        gallery_files::scenario("offshore_vessel_moored", set).describe().expect("it builds").warnings
+        gallery_files::scenario("offshore_vessel_moored_quasi_static", set).describe().expect("it builds").warnings
     };
     let found = of(&[]);
     assert_eq!(found.len(), 4, "{found:?}");

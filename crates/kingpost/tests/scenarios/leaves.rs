@@ -327,7 +327,7 @@ fn every_number_at_sea_can_differ_between_runs_and_has_its_derivative() {
 #[test]
 #[ignore = "thorough"]
 fn every_number_of_an_offshore_vessel_can_differ_between_runs_and_has_its_derivative() {
-    check(&["offshore_vessel.yaml", "offshore_vessel_moored.yaml", "offshore_vessel_on_dp.yaml"], 2.0);
+    check(&["offshore_vessel.yaml", "offshore_vessel_moored_quasi_static.yaml", "offshore_vessel_on_dp.yaml"], 2.0);
 }
 
 /// The height of a wind can differ between runs: by the power law, a greater height gives a higher speed.

@@ -71,6 +71,7 @@ export const plots = {
   search: "Search",
   search_hint: "for example roll, or force z",
   found: (count: number) => (count === 1 ? "1 line found." : `${count} lines found.`),
+  points: (name: string, count: number) => `${name}: ${count} ${count === 1 ? "point" : "points"}`,
   sets: "Lines that belong together",
   chosen: "Chosen",
   none_chosen: "Choose lines below.",

@@ -70,6 +70,7 @@ export const plots: Texts["plots"] = {
   search: "Søk",
   search_hint: "for eksempel roll, eller force z",
   found: (count) => (count === 1 ? "Fant 1 linje." : `Fant ${count} linjer.`),
+  points: (name, count) => `${name}: ${count} ${count === 1 ? "punkt" : "punkter"}`,
   sets: "Linjer som hører sammen",
   chosen: "Valgt",
   none_chosen: "Velg linjer nedenfor.",
