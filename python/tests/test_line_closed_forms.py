@@ -251,7 +251,7 @@ def test_a_load_on_a_bar_answers_a_force_with_the_receptance_of_the_closed_form(
 
 @cache
 def forced(length_m: float, period_s: float, elements: int = 6, step_s: float = 0.05) -> list[complex]:
-    """Harmonics over the closed form, of the motion of the load and of the tension there, as the top moves."""
+    """Harmonics over the closed form, of the load's motion and of the tension there, as the top moves."""
     periods = 24
     moves = {"amplitude_m": 0.05, "period_s": period_s, "ramp_s": periods * period_s / 2}
     duration = {"step_s": step_s, "record_every_s": step_s, "duration_s": periods * period_s}
@@ -281,8 +281,8 @@ def test_a_load_under_a_moving_top_follows_in_amplitude_and_phase(length_m, peri
 @pytest.mark.xfail(
     strict=True,
     raises=kingpost.KingpostError,
-    reason="the search for the shape at rest with derivatives does not end on some lines: at rounding it takes "
-    "noise for an overshoot and halves its move 500 times",
+    reason="the search for the shape at rest with derivatives does not end on some lines: at rounding it "
+    "takes noise for an overshoot and halves its move 500 times",
 )
 def test_a_hanging_bar_of_any_number_of_elements_can_be_linearised():
     """Source: the same line is at rest without derivatives."""
