@@ -189,7 +189,7 @@ def test_friction_of_a_chain_that_comes_to_rest_on_the_seabed_creeps_away():
     t, difference = dragged(10, 120.0, 8.0, 0.05)
     rate = np.pi**2 * LAID_EA_N * SLIDING_M_S / (HELD_N * LAID_M)
     late = [float(np.interp(time, t, difference)) for time in (80.0, 119.0)]
-    # At 80 s v / v_s is 0.09 in the middle: there friction is lower by half of its square, 4e-3, and by less later.
+    # At 80 s v / v_s is 0.09 in the middle: friction is lower by half of its square, 4e-3, and by less later.
     # The inertia is m v_s / (mu w) = 2e-3 s of 31 s.
     assert np.log(late[0] / late[1]) / 39.0 == pytest.approx(rate, rel=4e-3)
 
