@@ -47,16 +47,19 @@ def hanging(
     part: dict[str, Any],
     *,
     floats: bool = False,
+    aside_rad: float = 0.0,
     speed_m_s: float = 0.0,
     top: dict[str, Any] | None = None,
     **simulation: Any,
 ) -> Scenario:
-    """A load that hangs at rest on a line and slides up and down, or floats; it begins with this speed.
+    """A load that hangs at rest on a line and slides up and down with this speed at first, or floats, at this
+    angle to the vertical at first.
 
     The line stretches by (M + m L / 2) g L / EA. With a `top` its upper end moves as that mode of a joint."""
     length, stiffness = part["unstretched_length_m"], part["axial_stiffness_N"]
-    stretch = (load_kg + part["mass_kg_per_m"] * length / 2) * G * length / stiffness
-    place = [0.0, 0.0, -length - stretch]
+    carried = (load_kg + part["mass_kg_per_m"] * length / 2) * G * float(np.cos(aside_rad))
+    stretched = length * (1 + carried / stiffness)
+    place = [stretched * float(np.sin(aside_rad)), 0.0, -stretched * float(np.cos(aside_rad))]
     slide = {"prismatic": {"axis": [0, 0, 1], "position_m": place, "initial_speed_m_s": speed_m_s}}
     free = {"floating": {"hold_rotation": True, "initial": {"position_m": place}}}
     point: dict[str, Any] = {"point": {}}
