@@ -157,8 +157,7 @@ def test_modes_name_the_pendulum_that_a_chain_with_a_bob_is():
     part = section(CHAIN_M, 16, mass_kg_per_m=CHAIN_KG_M, axial_stiffness_N=1e8)
     found = kingpost.modes(hanging(BOB_KG, part, floats=True))
     lowest = found.angular_frequency.values[found.kind.values == "oscillation"][:2]
-    # A stretch of 1.3e-4.
-    np.testing.assert_allclose(lowest, bessel_modes(1)[0], rtol=1.3e-4)
+    np.testing.assert_allclose(lowest, bessel_modes(1)[0], rtol=1.3e-4)  # its stretch
 
 
 SPAN_M = 100.0
@@ -223,7 +222,6 @@ def bar(length_m: float, elements: int, **more: Any) -> kingpost.Scenario:
 
 
 def wave_number(omega: float) -> tuple[complex, complex]:
-    """EA (1 + i w tau) and the wave number of the bar."""
     stiffness = EA_N * (1 + 1j * omega * DAMPING_S)
     return stiffness, omega * np.sqrt(MASS_KG_M / stiffness)
 
@@ -288,3 +286,14 @@ def test_a_hanging_bar_of_any_number_of_elements_can_be_linearised():
     """Source: the same line is at rest without derivatives."""
     for elements in range(1, 25):
         kingpost.Simulation(bar(1000.0, elements)).linearize()
+
+
+@pytest.mark.xfail(
+    strict=True,
+    reason="axial damping between a body in Kutta's scheme and nodes in the midpoint rule: the error grows with "
+    "damping time and number of elements, 0.04 rad with 24",
+)
+def test_more_elements_do_not_make_the_tension_at_a_load_worse():
+    """Source: the bar with a mass (Rao, sec. 9.3): 200 m, 5 s, 50 ms, as above."""
+    coarse, fine = (abs(forced(200.0, 5.0, elements)[1] - 1) for elements in (6, 24))
+    assert fine < coarse

@@ -213,17 +213,16 @@ def test_a_load_that_swings_on_a_wire_gets_no_warning_of_a_step_that_is_stable()
 
 @pytest.mark.xfail(
     strict=True,
-    reason="the shape at rest of a line loses derivatives at rounding: 2e-4 of them are missing, or all, or "
-    "they are NaN",
+    reason="a start at an equilibrium gets its derivatives by one move with a compliance by differences, "
+    "which a line, found to 1e-9 of its length, makes wrong by 3e-5 to 1e-3",
 )
 def test_the_rest_of_a_load_on_a_wire_has_the_derivatives_of_its_closed_form():
     """Source: the load rests at L (1 + (M + m L / 2) g / EA) below the top."""
-    load_kg, length, part = 20e3, 1000.0, section(1000.0, 1)
+    load_kg, length, part = 2e3, 1000.0, section(1000.0, 2)
     stiffness, mass = part["axial_stiffness_N"], part["mass_kg_per_m"]
     names = ["bodies.load.mass_kg", "forces.line.line.sections.0.axial_stiffness_N"]
     closed = [-length * G / stiffness, length * (load_kg + mass * length / 2) * G / stiffness**2]
-    for elements in range(1, 9):
-        given = hanging(load_kg, section(length, elements), duration_s=0.05, begin_at_equilibrium=True)
-        found = kingpost.gradient(given, names).joint_position_derivative.values[:, 0].ravel()
-        # The last move of Newton's method has the share 1e-6 of the step in pseudo-time.
-        np.testing.assert_allclose(found, closed, rtol=2e-6, err_msg=f"{elements}")
+    given = hanging(load_kg, part, duration_s=0.05, begin_at_equilibrium=True)
+    found = kingpost.gradient(given, names).joint_position_derivative.values[:, 0].ravel()
+    # Rounding of positions of 1000 m, 1e-13 m, over the stretch of 0.2 m: 5e-13, amplified by less than 1e4.
+    np.testing.assert_allclose(found, closed, rtol=1e-8)
