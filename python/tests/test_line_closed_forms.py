@@ -290,8 +290,8 @@ def test_a_hanging_bar_of_any_number_of_elements_can_be_linearised():
 
 @pytest.mark.xfail(
     strict=True,
-    reason="axial damping between a body in Kutta's scheme and nodes in the midpoint rule: the error grows with "
-    "damping time and number of elements, 0.04 rad with 24",
+    reason="axial damping between a body in Kutta's scheme and nodes in the midpoint rule: its error grows "
+    "with damping time and number of elements, 0.04 rad with 24",
 )
 def test_more_elements_do_not_make_the_tension_at_a_load_worse():
     """Source: the bar with a mass (Rao, sec. 9.3): 200 m, 5 s, 50 ms, as above."""
