@@ -1,8 +1,8 @@
 //! A line in the stages of an explicit scheme.
 
-use super::DynamicLine;
 use super::step::{Booked, CONVERGED, MOST_ITERATIONS};
 use super::supply::Supplied;
+use super::{DynamicLine, ENERGIES};
 use crate::elements::{Advancing, Context, NotAdvanced};
 use crate::scalar::Scalar;
 
@@ -49,7 +49,8 @@ impl<S: Scalar> Advancing<S> for DynamicLine<S> {
         Ok(())
     }
 
-    /// Returns heat and work of the water, J. The heat contains the energy that the scheme loses: the ends get the work of
+    /// Writes the velocities of the ends by the implicit rule, with which the rate of strain at the ends is that of the nodes
+    /// beside them. Returns heat and work of the water, J. The heat contains the energy that the scheme loses: the ends get the work of
     /// the tension by the scheme of the bodies, the line gives it by its implicit rule.
     fn end_step(&mut self, at: &Context<'_, S>, states: &mut [S]) -> [S; 2] {
         let gravity = at.world.gravity;
@@ -58,6 +59,11 @@ impl<S: Scalar> Advancing<S> for DynamicLine<S> {
         let motions = self.motions();
         let lost_now = on_ends - (states[motions] - worked);
         states[motions + 1] = lost + lost_now;
+        self.put_nodes(at, states);
+        for (k, node) in self.end_nodes().into_iter().enumerate() {
+            let lag = self.step.velocity(node) - self.nodes.node(node).velocity;
+            lag.write_to(&mut states[motions + ENERGIES + 3 * k..motions + ENERGIES + 3 * k + 3]);
+        }
         [dissipated + lost_now, outside]
     }
 }

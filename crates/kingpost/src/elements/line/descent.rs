@@ -1,7 +1,8 @@
 //! Newton's method for the nodes of a line, with a line search.
 //!
 //! A line that only pulls, on a ground that only pushes, has a convex energy, so that its forces fall along every move: a move
-//! after which they push back with more than half of the force that began it has overshot a kink, and is halved.
+//! after which they push back with more than half of the force that began it has overshot a kink, and is halved. Drag has no
+//! energy: a move against the forces, which it can cause, is not judged.
 
 use super::blocks::Blocks;
 use crate::scalar::Scalar;
@@ -64,7 +65,8 @@ impl<S: Scalar> Descent<S> {
         let has_overshot =
             work(&self.forces, &self.way).select_less(self.gain * S::constant(OVERSHOT), || S::ONE, || S::ZERO);
         // The forces about a solution are rounding.
-        let back = self.size.select_less(enough, || S::ZERO, || has_overshot);
+        let judged = self.size.select_less(enough, || S::ZERO, || has_overshot);
+        let back = self.gain.select_below(0.0, || S::ZERO, || judged);
         let share = self.size.select_less(longest, || S::ONE, || longest / self.size);
         let of_newton = work(&self.forces, &self.newton) * share;
         self.gain = back.select_below(0.5, || of_newton, || self.gain * half);
@@ -78,6 +80,14 @@ impl<S: Scalar> Descent<S> {
         }
         let arrives = self.size.select_less(enough, || may_arrive, || S::ZERO);
         self.goes_on = arrives.select_below(0.5, || self.goes_on, || S::ZERO);
+    }
+
+    /// Completes the derivatives of nodes that have arrived, whose equations are given: their values stay.
+    pub fn differentiate(&mut self, blocks: &mut Blocks<S>, nodes: &mut [Vector3<S>]) {
+        blocks.solve(&mut self.newton);
+        for (node, newton) in nodes.iter_mut().zip(&self.newton) {
+            *node += Vector3(newton.0.map(|move_m| move_m - S::from_values([move_m], &|value| value)[0]));
+        }
     }
 
     /// Whether all lanes have arrived.

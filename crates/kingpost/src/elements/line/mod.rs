@@ -88,6 +88,9 @@ pub struct DynamicLine<S = f64> {
     at_base: [S; 2],
 }
 
+/// Number of states that are energies; behind them are the velocities of the ends by the implicit rule less those of the bodies.
+const ENERGIES: usize = 2;
+
 /// Events of a line that is paid out, in the order of [`Supplied`].
 const EVENTS: [Event; 3] = [
     Event { code: "hauled_in_to_end", what: "is hauled in to its end", crossing: Crossing::Falling },
@@ -189,10 +192,17 @@ impl<S: Scalar> DynamicLine<S> {
     fn evaluate(&mut self, at: &Context<'_, S>) -> Option<Supplied<S>> {
         let supplied =
             if at.evaluation.runs() || self.start.is_some() { self.put_nodes(at, at.states) } else { self.rest(at) };
-        self.nodes.stretch(&self.mesh);
+        self.nodes.stretch(&self.mesh, self.by_rule(at));
         self.book_ends(supplied.is_some(), at);
         self.nodes.load(&self.mesh, self.ground.as_ref(), at);
         supplied
+    }
+
+    /// Returns the velocities of the ends by the implicit rule less those of their bodies, m/s: zero at rest.
+    fn by_rule(&self, at: &Context<'_, S>) -> [Vector3<S>; 2] {
+        let from = self.motions() + ENERGIES;
+        let read = |end: usize| Vector3::from_slice(&at.states[from + 3 * end..]);
+        if at.evaluation.runs() { [read(0), read(1)] } else { [Vector3::zero(); 2] }
     }
 
     /// Sets the length of the first part, if it is paid out.
@@ -253,7 +263,7 @@ impl<S: Scalar> DynamicLine<S> {
     /// Returns its shape at rest, for a model at rest; NaN if none was found.
     pub fn at_rest(&mut self, at: &Context<'_, S>) -> RestingLine<S> {
         self.rest(at);
-        self.nodes.stretch(&self.mesh);
+        self.nodes.stretch(&self.mesh, [Vector3::zero(); 2]);
         let ends = self.end_nodes().map(|node| self.nodes.node(node).position);
         RestingLine { ends, strain: self.nodes.largest_strain(&self.mesh) }
     }
@@ -298,7 +308,10 @@ impl<S: Scalar> Element<S> for DynamicLine<S> {
             (0..self.nodes.len() - 2).flat_map(axes).collect::<Vec<_>>()
         };
         let energies = ["work_on_ends", "energy_lost_to_scheme"].map(|name| StateDeclaration::memory(name, "J"));
-        let states = [of("position", "m"), of("velocity", "m/s"), energies.to_vec()].concat();
+        let by_rule = ["first", "second"].map(|end| {
+            ["x", "y", "z"].map(|axis| StateDeclaration::memory(format!("{end}_end_by_rule.{axis}"), "m/s"))
+        });
+        let states = [of("position", "m"), of("velocity", "m/s"), energies.to_vec(), by_rule.concat()].concat();
         let mut declared = declaration_of_line(&self.name);
         let lost = "energy that the time stepping of a line took from it";
         declared.outputs.push(Output::number("line_energy_lost_to_scheme", lost, "line", &self.name, &["J"]));
@@ -349,7 +362,8 @@ impl<S: Scalar> Element<S> for DynamicLine<S> {
 
     fn rates(&mut self, at: &Context<'_, S>, rates: &mut [S]) {
         let (motions, energies) = rates.split_at_mut(self.motions());
-        energies.copy_from_slice(&[self.on_ends, S::ZERO]);
+        energies.fill(S::ZERO);
+        energies[0] = self.on_ends;
         if at.evaluation == EvaluationMode::Stepping {
             return motions.fill(S::ZERO);
         }

@@ -100,13 +100,19 @@ impl<S: Scalar> Nodes<S> {
         [0, 1, 2].map(|k| part(&self.nodes[2 * element + k]))
     }
 
-    /// Adds the forces of the tension, `-T t N_i' h / 2` at each point of Gauss's rule.
-    pub fn stretch(&mut self, mesh: &LineMesh<S>) {
+    /// Adds the forces of the tension, `-T t N_i' h / 2` at each point of Gauss's rule. The rate of strain has these velocities
+    /// in addition at the ends.
+    pub fn stretch(&mut self, mesh: &LineMesh<S>, by_rule: [Vector3<S>; 2]) {
+        let last = self.nodes.len() - 1;
+        let velocities = [0, last].map(|end| self.nodes[end].velocity);
+        self.nodes[0].velocity += by_rule[0];
+        self.nodes[last].velocity += by_rule[1];
         self.points.clear();
         (self.dissipated, self.strain) = (S::ZERO, S::ZERO);
         for element in 0..self.nodes.len() / 2 {
             self.stretch_element(element, mesh);
         }
+        (self.nodes[0].velocity, self.nodes[last].velocity) = (velocities[0], velocities[1]);
         self.bend(mesh.bends.iter());
         let [positions, found] = &mut self.scratch;
         positions.clear();

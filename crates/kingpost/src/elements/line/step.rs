@@ -15,7 +15,8 @@
 //! Newton's method solves for `x_1`. The matrix of its first iteration serves for the second one, and for the first two
 //! at another point at the same time, as Kutta's scheme has two of each: their error falls by the change of the matrix, about
 //! as much as the first move is smaller than an element. Where the line became slack or left the ground since, such a
-//! move can be much too short, and does not end the search. Each further iteration has a matrix of its own.
+//! move can be much too short, and does not end the search. Each further iteration has a matrix of its own. Derivatives follow
+//! their values an iteration later.
 
 use super::bend::LineEnds;
 use super::blocks::Blocks;
@@ -144,6 +145,10 @@ impl<S: Scalar> LineStep<S> {
             }
             descent.improve(blocks, &mut span.next, limits, may_arrive);
             if descent.has_arrived() {
+                if S::HAS_DERIVATIVES {
+                    span.equations::<false>(blocks, mesh, ground);
+                    descent.differentiate(blocks, &mut span.next);
+                }
                 return Ok(());
             }
         }

@@ -36,6 +36,8 @@ pub struct WaveField<S = f64> {
     pub(super) turns: PhaseTurns<S>,
     /// k of each wave, 1/m.
     pub(super) wave_numbers_per_m: Vec<S>,
+    /// The least k of each block of waves, 1/m.
+    pub(super) least_wave_numbers_per_m: Vec<S>,
     /// Period of each wave, s.
     pub(super) periods_s: Vec<S>,
     /// 1 / (1 + e^-2kh) of each wave.
@@ -67,6 +69,14 @@ pub struct WaveKinematics<S = f64> {
     pub acceleration_m_s2: Vector3<S>,
 }
 
+/// Returns the least wave number of some waves, 1/m.
+fn least_wave_number<S: Scalar>(waves: &[WaveComponent<S>]) -> S {
+    let first = waves[0].wave_number_per_m;
+    waves
+        .iter()
+        .fold(first, |least, wave| wave.wave_number_per_m.select_less(least, || wave.wave_number_per_m, || least))
+}
+
 /// Number of waves whose sines are computed together.
 pub(super) const BLOCK: usize = 16;
 
@@ -94,6 +104,7 @@ impl<S: Scalar> WaveField<S> {
             amplitudes_m,
             turns,
             wave_numbers_per_m: of_each(&|wave| wave.wave_number_per_m),
+            least_wave_numbers_per_m: waves.chunks(BLOCK).map(least_wave_number).collect(),
             periods_s: of_each(&|wave| S::constant(TAU) / wave.angular_frequency_rad_s),
             bottom_scales,
             realisation: 0,

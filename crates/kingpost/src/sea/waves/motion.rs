@@ -7,6 +7,10 @@ use super::stretching::{StretchedHeight, Stretching};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
+/// Depth over which a wave decays by e^-DEEP, in its wave lengths over 2 pi: its motion there is below the rounding of that at
+/// the surface.
+const DEEP: f64 = 40.0;
+
 impl<S: Scalar> WaveField<S> {
     /// Returns whether a point at this height, m, is under water at any time, and moves there by its height in still water
     /// alone, whatever the elevation.
@@ -35,6 +39,11 @@ impl<S: Scalar> WaveField<S> {
         let (mut velocity, mut acceleration) = ([S::ZERO; 3], [S::ZERO; 3]);
         for first in (0..self.len()).step_by(BLOCK) {
             let count = BLOCK.min(self.len() - first);
+            let reach = self.least_wave_numbers_per_m[first / BLOCK] * level;
+            let reaches = reach.select_below(-DEEP, || S::ZERO, || S::ONE);
+            if reaches.all(|reaches| reaches == 0.0) {
+                continue;
+            }
             self.unit_phasors(first, [x, y], time_s, &mut cosines[..count], &mut sines[..count]);
             for i in 0..count {
                 let k = self.wave_numbers_per_m[first + i];
@@ -47,7 +56,7 @@ impl<S: Scalar> WaveField<S> {
                     (c, d) = ((down + up) * scale, (down - up) * scale);
                 }
                 let further = k * rise;
-                (levels[i], upwards[i]) = (c + further * d, (d + further * c) * k);
+                (levels[i], upwards[i]) = ((c + further * d) * reaches, (d + further * c) * k * reaches);
             }
             for i in 0..count {
                 let [kx, ky] = [self.turns.x_per_m[first + i], self.turns.y_per_m[first + i]];
