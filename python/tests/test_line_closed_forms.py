@@ -276,23 +276,12 @@ def test_a_load_under_a_moving_top_follows_in_amplitude_and_phase(length_m, peri
         assert abs(np.angle(ratio)) < 0.01
 
 
-@pytest.mark.xfail(
-    strict=True,
-    raises=kingpost.KingpostError,
-    reason="the search for the shape at rest with derivatives does not end on some lines: at rounding it "
-    "takes noise for an overshoot and halves its move 500 times",
-)
 def test_a_hanging_bar_of_any_number_of_elements_can_be_linearised():
     """Source: the same line is at rest without derivatives."""
     for elements in range(1, 25):
         kingpost.Simulation(bar(1000.0, elements)).linearize()
 
 
-@pytest.mark.xfail(
-    strict=True,
-    reason="axial damping between a body in Kutta's scheme and nodes in the midpoint rule: its error grows "
-    "with damping time and number of elements, 0.04 rad with 24",
-)
 def test_more_elements_do_not_make_the_tension_at_a_load_worse():
     """Source: the bar with a mass (Rao, sec. 9.3): 200 m, 5 s, 50 ms, as above."""
     coarse, fine = (abs(forced(200.0, 5.0, elements)[1] - 1) for elements in (6, 24))

@@ -84,12 +84,6 @@ def test_a_towed_cable_with_a_free_end_is_straight_at_the_critical_angle(current
     at_critical_angle(current_m_s, 8)
 
 
-@pytest.mark.xfail(
-    strict=True,
-    raises=kingpost.KingpostError,
-    reason="the search for the shape at rest leaves out how the drag turns with the line: it does not "
-    "converge where the drag across a line that leans with the current is more than about 1.6 of its weight",
-)
 def test_a_towed_cable_with_more_drag_than_weight_is_at_the_critical_angle():
     """Source: Pode, as above; 2 m/s, a critical angle of 38 degrees."""
     at_critical_angle(2.0, 8)

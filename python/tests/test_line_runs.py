@@ -200,22 +200,12 @@ def test_the_energy_of_a_load_that_swings_on_a_wire_balances_to_second_order_aft
     assert reached == pytest.approx(15.0, rel=5e-3)
 
 
-@pytest.mark.xfail(
-    strict=True,
-    reason="the longest stable step compares the growth with 1 exactly: rounding makes a motion without "
-    "damping, a load that swings, grow at any step",
-)
 def test_a_load_that_swings_on_a_wire_gets_no_warning_of_a_step_that_is_stable():
     """Source: the fastest motion of load and wire is 9 rad/s: RK4 is stable up to 2.8 rad per step."""
     found = kingpost.Simulation(hanging(40e3, section(100.0, 6, damping_time_s=0.01), floats=True))
     assert found.model_warnings == []
 
 
-@pytest.mark.xfail(
-    strict=True,
-    reason="a start at an equilibrium gets its derivatives by one move with a compliance by differences, "
-    "which a line, found to 1e-9 of its length, makes wrong by 3e-5 to 1e-3",
-)
 def test_the_rest_of_a_load_on_a_wire_has_the_derivatives_of_its_closed_form():
     """Source: the load rests at L (1 + (M + m L / 2) g / EA) below the top."""
     load_kg, length, part = 2e3, 1000.0, section(1000.0, 2)

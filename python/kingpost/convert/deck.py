@@ -28,6 +28,7 @@ class LineType:
     mass_kg_per_m: float
     stiffness_n: float
     damping_n_s: float | None
+    bending_n_m2: float
     drag_across: float
     drag_along: float
     added_mass_across: float

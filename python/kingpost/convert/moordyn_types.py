@@ -43,16 +43,17 @@ def _line_type(row: Row, headings: tuple[str, ...], is_v1: bool) -> LineType:
     damping = _damping(row, notes)
     if is_v1:
         added, added_along, drag, drag_along = _coefficients(row, 5, "Can Cat Cdn Cdt")
+        bending = 0.0
     else:
         drag, added, drag_along, added_along = _coefficients(row, 6, "Cd Ca CdAx CaAx")
-        _bending(row, notes)
+        bending = _bending(row, notes)
         _vibration(row, notes)
         if headings[6:7] in (("CAN",), ("CA",)):
             why = "read as Cd, Ca, CdAx, CaAx, by place as in MoorDyn 2: the headings have another order"
             notes.convert(row.line, " ".join(cell.text for cell in row.cells[6:COUNT]), why)
     return LineType(
         row[0].text, row.line, row.number(1, "Diam", 0, above=True), row.number(2, "Mass/m", 0, above=True),
-        stiffness, damping, drag, drag_along, added, added_along, notes,
+        stiffness, damping, bending, drag, drag_along, added, added_along, notes,
     )  # fmt: skip
 
 
@@ -110,10 +111,16 @@ def _damping(row: Row, notes: Notes) -> float | None:
     return None
 
 
-def _bending(row: Row, notes: Notes) -> None:
+def _bending(row: Row, notes: Notes) -> float:
     text = row[5].text
-    if not NUMBER.fullmatch(text) or float(text):
-        notes.leave_out(row.line, f"EI {text}", "lines have no bending stiffness")
+    if not NUMBER.fullmatch(text):
+        notes.leave_out(row.line, f"EI {text}", "a curve of moments has no counterpart")
+        return 0.0
+    bending = row.number(5, "EI", 0)
+    if bending:
+        why = "a line with bending stiffness also pushes here; in MoorDyn it becomes slack"
+        notes.convert(row.line, f"EI {text}", why)
+    return bending
 
 
 def _vibration(row: Row, notes: Notes) -> None:

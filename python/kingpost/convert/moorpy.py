@@ -180,8 +180,8 @@ def _line_type(one: Entry, deck: Deck) -> LineType:
     one.leave_out(notes, known, why)
     return LineType(
         name.text, name.line, one.number("diameter", 0, above=True),
-        one.number("mass_density", 0, above=True), one.number("stiffness", 0, above=True), None,
-         given["transverse_drag"], given["tangential_drag"],
+        one.number("mass_density", 0, above=True), one.number("stiffness", 0, above=True), None, 0.0,
+        given["transverse_drag"], given["tangential_drag"],
         given["transverse_added_mass"], given["tangential_added_mass"], notes,
     )  # fmt: skip
 

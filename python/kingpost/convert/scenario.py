@@ -46,6 +46,8 @@ def section(part: Segment, deck: Deck) -> dict[str, Any]:
         "diameter_m": kind.diameter_m,
         "axial_stiffness_N": kind.stiffness_n,
     }
+    if kind.bending_n_m2:
+        fields["bending_stiffness_N_m2"] = kind.bending_n_m2
     time = _damping_time(part)
     if time is not None:
         fields["damping_time_s"] = time
