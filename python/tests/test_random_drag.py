@@ -10,7 +10,7 @@ from typing import Any
 import kingpost
 import numpy as np
 import pytest
-from kingpost.analysis import spectral
+from kingpost.analysis import random_sea, response, spectral
 from kingpost.results.columns import column
 from scipy.special import erf
 
@@ -76,7 +76,7 @@ SLIDER: dict[str, Any] = {
         },
     },
 }
-"""A vertical line with a tension of 5 MN, so that it moves with the slider like a bar; the slider moves along the waves."""
+"""A vertical line with a tension of 5 MN: it moves like a bar, with a slider that moves along the waves."""
 
 CHAIN: dict[str, Any] = {
     "version": 1,
@@ -116,7 +116,7 @@ CHAIN: dict[str, Any] = {
         },
     },
 }
-"""A chain whose tension in waves is mostly that of its drag: at rest between its ends it would have a sixth of it."""
+"""A chain that its drag tightens in waves: at rest between its ends it would have a sixth of that tension."""
 
 
 def written(folder: Path, given: dict[str, Any], **section: Any) -> Path:
@@ -137,13 +137,13 @@ def slider(folder: Path, current_m_s: float = 0.0, **section: Any) -> kingpost.S
 def deviation_and_mean(simulation: kingpost.Simulation, current: float) -> tuple[float, float]:
     """Deviation and mean of one motion with the drag and the inertia of three thirds of a line, by iteration.
 
-    M x'' + k x = Sum c_i E[|r| r] + Sum m_i a_i, r = c + u - x': with the deviation s of r the mean force is (c^2 + s^2)
-    erf(c / (2^1/2 s)) + c s (2/pi)^1/2 exp(-c^2 / 2 s^2) and its slope 2 c erf + 2 s (2/pi)^1/2 exp.
+    M x'' + k x = Sum c_i E[|r| r] + Sum m_i a_i, r = c + u - x': with the deviation s of r the mean force is
+    (c^2 + s^2) erf(c / (2^1/2 s)) + c s (2/pi)^1/2 exp(-c^2 / 2 s^2), its slope 2 c erf + 2 s (2/pi)^1/2 exp.
     """
-    covered = spectral.frequencies_that_all_cover(simulation.scenario)
+    covered = response.frequencies_that_all_cover(simulation.scenario)
     omega = np.linspace(covered[0], covered[-1], 20001)
     ((sea,),) = simulation.sea_spectra(omega)
-    variances = np.asarray(sea["density_m2_s"]) * spectral.trapezoidal(omega)
+    variances = np.asarray(sea["density_m2_s"]) * random_sea.trapezoidal(omega)
     heights, lengths = np.array([-5.0, -15.0, -25.0]), LENGTH * np.array([1, 4, 1]) / 6
     displaced = DENSITY * np.pi / 4 * DIAMETER**2
     velocity = omega * np.exp(np.outer(heights, omega**2 / GRAVITY))
@@ -180,10 +180,10 @@ def test_one_motion_has_the_deviation_by_borgman_and_the_mean_in_a_current(
 def test_a_line_without_drag_is_at_rest_between_its_ends_to_the_last_bit(tmp_path: Path) -> None:
     """Source: the response of columns without a sea."""
     simulation = slider(tmp_path, drag_across=0)
-    (systems,) = simulation.sea_spectra([], spectral.SPREAD)
+    (systems,) = simulation.sea_spectra([], random_sea.SPREAD)
     names = [SLIDE, "line.line_tension", "hemisphere.position.z"]
-    waves = (spectral.directions_of(systems), spectral.nodes_of(systems))
-    sea = spectral.random_sea(simulation, systems)
+    waves = (random_sea.directions_of(systems), random_sea.nodes_of(systems))
+    sea = random_sea.random_sea(simulation, systems)
     found, still = (spectral.transfer(simulation, names, *waves, (), given) for given in (sea, None))
     assert found.linearised == []
     assert np.array_equal(found.squares, still.squares)
@@ -196,7 +196,9 @@ def test_in_a_calm_sea_a_line_with_drag_has_no_drag(tmp_path: Path) -> None:
     """Source: drag that vanishes with the motion: the same amplitudes with a hundredth of the coefficient."""
     sea = {"waves": {"directions_rad": [0.0], "frequencies_rad_s": [1.0]}, "variances_m2": [[0.0]]}
     calm = [
-        slider(tmp_path, drag_across=drag).column_response([0.0], [1.0], [SLIDE], sea=sea)["amplitudes"].item()
+        slider(tmp_path, drag_across=drag)
+        .column_response([0.0], [1.0], [SLIDE], sea=sea)["amplitudes"]
+        .item()
         for drag in (1.2, 0.012)
     ]
     # The least variance of the drag, 1e-12 m^2/s^2, beside a relative velocity of some 0.3 m/s.
@@ -221,16 +223,16 @@ def test_other_linear_responses_say_that_they_leave_the_drag_out(tmp_path: Path)
 
 @pytest.mark.thorough
 def test_runs_over_seeds_have_the_deviations_of_a_chain(tmp_path: Path) -> None:
-    """Source: the engine in time. Of a Gaussian process the variance in a record of T has the variance 2 pi / T Int S^2
-    dw (Bendat & Piersol, *Random Data*, 2010, sec. 8.2.2), over all runs an n-th of it."""
+    """Source: the engine in time. Of a Gaussian process the variance in a record of T has the variance
+    2 pi / T Int S^2 dw (Bendat & Piersol, *Random Data*, 2010, sec. 8.2.2), over all runs an n-th of it."""
     seeds, start_s, duration_s = 6, 60.0, 1000.0
     path = written(tmp_path, CHAIN)
     names = ["chain.line_tension", "chain.line_end_tension", "chain.point_2.line_tension_along", "hull.pitch"]
     runs = kingpost.Batch(path, {"simulation.seed": list(range(seeds))}).run(threads=1)
     simulation = kingpost.Simulation(kingpost.load(path))
-    (systems,) = simulation.sea_spectra([], spectral.SPREAD)
-    sea = spectral.random_sea(simulation, systems)
-    exact = spectral.transfer(simulation, names, [np.pi], spectral.nodes_of(systems), (), sea)
+    (systems,) = simulation.sea_spectra([], random_sea.SPREAD)
+    sea = random_sea.random_sea(simulation, systems)
+    exact = spectral.transfer(simulation, names, [np.pi], random_sea.nodes_of(systems), (), sea)
     ((density,),) = simulation.sea_spectra(exact.omega_rad_s)
     spectra = np.asarray(density["density_m2_s"])[:, None] * exact.squares[0]
     m0, m00 = (np.einsum("kc,k->c", spectra**n, exact.weights) for n in (1, 2))
@@ -238,7 +240,7 @@ def test_runs_over_seeds_have_the_deviations_of_a_chain(tmp_path: Path) -> None:
     for name, sigma, standard_error in zip(names, np.sqrt(m0), error, strict=True):
         series = column(runs, name)
         measured = float(np.sqrt(series.sel(time=series.time > start_s).var("time").mean()))
-        # Tension by drag has longer tails than a Gaussian one: its square is 3, of |u| u and so its deviation by 3^1/2 against
-        # (8/pi)^1/2 of the linear drag, 8 % more if drag alone acts.
+        # The deviation of |u| u is 3^1/2 sigma^2, that of linear drag (8/pi)^1/2 sigma^2: where drag alone
+        # makes the tension, a run has 8.5 % more.
         by_drag = 0.0 if name == "hull.pitch" else (np.sqrt(3 * np.pi / 8) - 1) * sigma
         assert abs(measured - sigma) < 3 * standard_error + by_drag, (name, measured, sigma, standard_error)

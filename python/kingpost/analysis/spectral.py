@@ -23,6 +23,16 @@ from ..scenario import Overrides, Scenario
 from ..simulation.python_warnings import record_warnings
 from ..simulation.records import WaveSystem
 from ..simulation.simulate import Simulation
+from .random_sea import (
+    BESIDE,
+    SPREAD,
+    directions_of,
+    grid_between,
+    lines_of,
+    nodes_of,
+    random_sea,
+    trapezoidal,
+)
 from .response import frequencies_that_all_cover
 from .statistics import EULER
 from .wave_response import REASONS, as_simulation, matching
@@ -34,14 +44,8 @@ if TYPE_CHECKING:
     Numbers = NDArray[np.float64]
 
 HALF_HOUR_S = 1800.0
-SPREAD = 24
-"""Number of directions of equal energy that represent a short-crested sea."""
-PARTS = 8
-"""Number of integration steps between two frequencies of the response."""
 MOST_LINES = 400
 """Largest number of waves of a single frequency at which the response is solved exactly."""
-BESIDE = 1e-9
-"""Distance of the grid points on either side of a band's end, as a share of its frequency."""
 HARDLY_DAMPED = 1e-3
 """Damping ratio below which a run needs hundreds of periods to reach the resonance peak."""
 LEFT_OUT = 0.01
@@ -91,16 +95,6 @@ class Transfer:
         return trapezoidal(self.omega_rad_s)
 
 
-def trapezoidal(grid: Numbers) -> Numbers:
-    """Weights of the trapezoidal rule on a grid.
-
-    >>> trapezoidal(np.array([0.0, 1.0, 3.0]))
-    array([0.5, 1.5, 1. ])
-    """
-    steps = np.diff(grid)
-    return 0.5 * (np.append(steps, 0.0) + np.append(0.0, steps))
-
-
 def spectral_response(
     scenario_or_simulation: Scenario | Simulation | str | Path,
     columns: Sequence[str] | None = None,
@@ -116,11 +110,11 @@ def spectral_response(
     in this duration with the probability ``1 - exp(-(T / Tz) exp(-(L - mean)^2 / (2 sigma^2)))`` (Rice, *Bell
     Syst. Tech. J.* 24, 1945).
 
-    Lines with mass move by their own inertia and drag, in the waves at their nodes. The drag, quadratic in the
-    velocity of the water relative to the line, is replaced by its mean and the mean of its slope over the
-    Gaussian velocities of the response itself, found by iteration (Borgman, *J. Waterways Harbors Div. ASCE*
-    93(WW2), 1967; Atalik & Utku, *Earthquake Eng. Struct. Dyn.* 4, 1976); a current enters through its mean.
-    Lines without drag are at rest between their ends, like in `kingpost.wave_response`.
+    Lines with mass move by their own inertia and drag, in the waves at their nodes. The drag, quadratic in
+    the velocity of the water relative to the line, is replaced by its mean and the mean of its slope over
+    the Gaussian velocities of the response itself, found by iteration (Borgman, *J. Waterways Harbors Div.
+    ASCE* 93(WW2), 1967; Atalik & Utku, *Earthquake Eng. Struct. Dyn.* 4, 1976); a current enters as the mean
+    velocity. Lines without drag are at rest between their ends, like in `kingpost.wave_response`.
 
     Parameters
     ----------
@@ -142,14 +136,14 @@ def spectral_response(
         ``zero_up_crossing_period`` (s), ``expected_maximum``, ``expected_minimum``, ``linear`` and
         ``reason``, and ``interpolation_error``, the relative change of the standard deviation if every second
         frequency of the response is left out. By ``limit``: ``limit_column`` and the ``probability`` that the
-        limit is exceeded in `duration_s`. Attribute ``drag``: lines whose drag is part of the response, and the
-        kind of its linearisation.
+        limit is exceeded in `duration_s`. Attribute ``drag``: the kind of linearisation, and the lines whose
+        drag is part of the response.
 
     Raises
     ------
     KingpostError
-        If no wave system is enabled, there is no equilibrium, a column is unknown, the duration is not greater
-        than 0, or the drag in this sea is not found.
+        If no wave system is enabled, there is no equilibrium, a column is unknown, the duration is not
+        greater than 0, or the drag in this sea is not found.
 
     >>> found = spectral_response("offshore_vessel", ["hull.pitch"], waves=True)
     >>> round(float(np.rad2deg(found.standard_deviation[0])), 2)
@@ -208,13 +202,25 @@ def spectral_response(
     attributes["drag"] = f"{STOCHASTIC}: {', '.join(found.linearised)}" if found.linearised else NO_DRAG
     about_model = simulation.scenario.model["warnings"]
     of_slack = [f"{found.columns[k]}: {SLACK}; without it, {least[k]:.3g} {found.units[k]}" for k in slack]
-    record_warnings(attributes, [*about_model, *found.warnings, *beyond_the_data(found, systems), *of_slack, *of_one_frequency(found, systems)])
+    record_warnings(
+        attributes,
+        [
+            *about_model,
+            *found.warnings,
+            *beyond_the_data(found, systems),
+            *of_slack,
+            *of_one_frequency(found, systems),
+        ],
+    )
     return xarray.Dataset(variables, coordinates, attributes)
 
 
 STOCHASTIC = "stochastic linearisation, for Gaussian velocities, of the drag on lines"
 NO_DRAG = "no quadratic drag: it is zero at rest"
-REGULAR = "the drag on lines is linearised for a Gaussian motion; for the motion in a regular wave it is a third too large"
+REGULAR = (
+    "the drag on lines is linearised for a Gaussian motion; for the motion in a regular wave it is a third "
+    "too large"
+)
 ONE_SIDED = ("tension", "normal_force")
 """Suffixes of the names of columns that are never negative."""
 SLACK = "its least value is 0: it goes slack or lifts off in this sea, which a linear response leaves out"
@@ -265,7 +271,7 @@ def transfer(
         covered = np.unique(np.concatenate([covered, within]))
     found = simulation.column_response(directions_rad, covered, columns or (), about_resonances=True, sea=sea)
     omega = np.array(found["frequencies_rad_s"])
-    grid = _grid(omega, np.concatenate([np.asarray(nodes_rad_s, float), lines]))
+    grid = grid_between(omega, np.concatenate([np.asarray(nodes_rad_s, float), lines]))
     not_linear = {
         name: REASONS[reason]
         for name, reason in zip(found["columns"], found["not_linear"], strict=True)
@@ -284,53 +290,6 @@ def transfer(
         linearised=found["linearised"],
         warnings=[*found["warnings"], *_peaks(found["resonances"], omega)],
     )
-
-
-def _grid(omega: Numbers, nodes: Numbers) -> Numbers:
-    """`PARTS` steps between two frequencies, and the nodes between the first and the last one."""
-    cut = omega[:-1, None] + np.arange(PARTS) / PARTS * np.diff(omega)[:, None]
-    between = nodes[(nodes > omega[0]) & (nodes < omega[-1])]
-    return np.unique(np.concatenate([cut.ravel(), omega[-1:], between]))
-
-
-def random_sea(simulation: Simulation, systems: Sequence[WaveSystem]) -> dict[str, Any] | None:
-    """Variances of a sea by direction and frequency, for `Simulation.column_response`; None if no database covers
-    a frequency.
-
-    Parameters
-    ----------
-    simulation
-        The simulation, for the frequencies that its databases cover and the densities.
-    systems
-        Wave systems of its sea, with `SPREAD` directions.
-
-    Returns
-    -------
-    dict or None
-        ``waves`` and ``variances_m2``.
-
-    >>> simulation = Simulation("offshore_vessel_moored")
-    >>> sea = random_sea(simulation, simulation.sea_spectra([], SPREAD)[0])
-    >>> round(4 * float(np.sqrt(np.sum(sea["variances_m2"]))), 1)
-    2.5
-    """
-    covered = frequencies_that_all_cover(simulation.scenario)
-    if not len(covered):
-        return None
-    grid = _grid(covered, np.concatenate([nodes_of(systems), lines_of(systems)]))
-    directions = directions_of(systems)
-    variances = np.zeros((len(directions), len(grid)))
-    (dense,) = simulation.sea_spectra(grid, SPREAD)
-    for one in dense:
-        at = np.searchsorted(directions, np.asarray(one["directions_rad"]) - BESIDE)
-        if len(at):
-            variances[at] += np.asarray(one["density_m2_s"]) * trapezoidal(grid) / len(at)
-        for omega, direction, variance in one["lines"]:
-            k = np.argmin(np.abs(grid - omega))
-            if np.isclose(grid[k], omega):
-                variances[np.searchsorted(directions, direction - BESIDE), k] += variance
-    waves = {"directions_rad": directions.tolist(), "frequencies_rad_s": grid.tolist()}
-    return {"waves": waves, "variances_m2": variances.tolist()}
 
 
 def _squares(omega: Numbers, amplitudes: NDArray[np.complex128], grid: Numbers) -> Numbers:
@@ -353,26 +312,6 @@ def _peaks(resonances: list[dict[str, float]], omega: Numbers) -> list[str]:
         if omega[0] <= one["frequency_rad_s"] <= omega[-1]
         if (ratio := one["decay_per_s"] / one["frequency_rad_s"]) < HARDLY_DAMPED
     ]
-
-
-def directions_of(systems: Sequence[WaveSystem]) -> Numbers:
-    """Directions of a sea's wave systems without repetitions, rad."""
-    every = [one["directions_rad"] + [line[1] for line in one["lines"]] for one in systems]
-    return np.unique(np.concatenate([np.asarray(one, float) for one in every]))
-
-
-def nodes_of(systems: Sequence[WaveSystem]) -> Numbers:
-    """Frequencies at which a system's spectral density has a kink, and frequencies next to the ends of bands,
-    rad/s."""
-    ends = [
-        end * (1 + side) for one in systems for end in one["band_rad_s"] or () for side in (-BESIDE, BESIDE)
-    ]
-    return np.unique([*ends, *(node for one in systems for node in one["nodes_rad_s"])])
-
-
-def lines_of(systems: Sequence[WaveSystem]) -> Numbers:
-    """Frequencies of the regular waves without repetitions, rad/s."""
-    return np.unique([line[0] for one in systems for line in one["lines"]])
 
 
 def moments_in(found: Transfer, systems: Sequence[WaveSystem]) -> tuple[Numbers, Numbers, Numbers]:

@@ -219,9 +219,9 @@ class Equations:
         about_resonances
             Whether to add frequencies about each resonance that is narrower than the frequency steps.
         sea
-            Random sea for which the drag on lines with mass is linearised: ``waves``, with ``directions_rad`` and
-            ``frequencies_rad_s``, and ``variances_m2``, of the elevation by direction and frequency; default: lines
-            at rest between their ends, without drag.
+            Random sea for which the drag on lines with mass is linearised: ``waves``, with ``directions_rad``
+            and ``frequencies_rad_s``, and ``variances_m2`` of the elevation by direction and frequency;
+            default: lines are at rest between their ends, without drag.
 
         Returns
         -------
@@ -233,8 +233,8 @@ class Equations:
         Raises
         ------
         KingpostError
-            If there is no equilibrium, a database does not cover a frequency, a column is unknown, or the drag in
-            `sea` is not found.
+            If there is no equilibrium, a database does not cover a frequency, a column is unknown, or the
+            drag in `sea` is not found.
 
         >>> from kingpost import Simulation, load
         >>> found = Simulation(load("barge")).column_response([0.0], [1.0], ["ship.roll", "ship.pitch"])

@@ -31,8 +31,8 @@ const MOST_ITERATIONS: usize = 60;
 /// of the last variance: this power makes the iteration quadratic there, and a factor of 1/3 where the motion is forced.
 const OF_LAST: f64 = 1.0 / 3.0;
 
-/// Finds the covariances of the relative velocities with which the response in this sea has these covariances; `None` if no element
-/// has random drag.
+/// Finds the covariances of relative velocities that the response with the drag over them has itself in this sea; `None` if no
+/// element has random drag.
 ///
 /// # Errors
 /// The errors of the response, and covariances that do not converge.
@@ -50,11 +50,14 @@ pub(super) fn find(
     }
     sea.check()?;
     let (mut rest, mut change) = (simulation.clone(), f64::INFINITY);
-    for _ in 0..MOST_ITERATIONS {
+    for iterations in 1..=MOST_ITERATIONS {
         let mut at = AtRest::new(scenario, &rest, Some(drags.clone()))?;
         let loads = WaveLoads::new(elements, &mut at.rest, &at.free)?;
         let next = spreads(&at, &loads, sea)?;
         change = largest_change(&drags, &next);
+        if change.is_nan() {
+            return Err(ResponseError::Drag { iterations, change, allowed: CONVERGED });
+        }
         if change <= CONVERGED {
             return Ok(Some(next));
         }
@@ -122,11 +125,11 @@ fn traces(drags: &RandomDrags) -> impl Iterator<Item = f64> {
     drags.spreads.iter().flatten().map(|spread| spread.xx + spread.yy + spread.zz)
 }
 
-/// Returns the largest change of a variance, as a share.
+/// Returns the largest change of a variance, as a share; NaN if one is not a number.
 fn largest_change(last: &RandomDrags, next: &RandomDrags) -> f64 {
     let least = LEAST * traces(next).fold(f64::MIN_POSITIVE, f64::max);
     let changes = traces(last).zip(traces(next)).map(|(last, next)| (next - last).abs() / last.max(least));
-    changes.fold(0.0, f64::max)
+    changes.fold(0.0, |most: f64, change| if change.is_nan() || change > most { change } else { most })
 }
 
 /// Returns the next covariances, with their size between those of the last and of the response to them.
