@@ -139,11 +139,6 @@ impl<S: Scalar> Plant<S> {
         &self.elements
     }
 
-    /// Returns the elements of the plant, mutable.
-    pub fn elements_mut(&mut self) -> &mut [AnyElement<S>] {
-        &mut self.elements
-    }
-
     /// Returns the indices of everything that the elements declare.
     pub fn layout(&self) -> &Layout {
         &self.layout

@@ -2,7 +2,7 @@
 
 use super::Plant;
 use super::element_contexts::ElementContexts;
-use crate::elements::EvaluationMode;
+use crate::elements::{AnyElement, EvaluationMode};
 use crate::integrate::{Interval, Stage};
 use crate::scalar::Scalar;
 use crate::spatial::Symmetric3;
@@ -25,6 +25,11 @@ impl<S: Scalar> Plant<S> {
     pub fn set_trims(&mut self, trims: &[Vec<S>]) {
         let settling = self.elements.iter_mut().filter_map(|element| element.settling_mut());
         settling.zip(trims).for_each(|(settling, trim)| settling.set_trim(trim));
+    }
+
+    /// Returns the elements of the plant, mutable.
+    pub fn elements_mut(&mut self) -> &mut [AnyElement<S>] {
+        &mut self.elements
     }
 
     /// Sets the covariances of the water's relative velocities at the nodes of each element with
