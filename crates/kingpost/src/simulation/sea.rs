@@ -22,7 +22,7 @@ impl Simulation {
 
     /// Gives the elements with [random drag](crate::elements::RandomDrag) its mean at rest in a random sea, like
     /// [`Plant::set_spreads`](crate::plant::Plant::set_spreads).
-    pub(crate) fn set_spreads(&mut self, spreads: &[Vec<Symmetric3>]) {
+    pub fn set_spreads(&mut self, spreads: &[Vec<Symmetric3>]) {
         self.plant.set_spreads(spreads);
     }
 
