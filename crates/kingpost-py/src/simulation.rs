@@ -306,11 +306,13 @@ impl Simulation {
         })
     }
 
-    /// Returns the response of columns to waves; `asked_json`: waves, columns, whether resonances are refined.
+    /// Returns the response of columns to waves; `asked_json`: waves, columns, whether resonances are refined, the random sea for
+    /// which drag is linearised.
     fn column_response<'py>(&self, py: Python<'py>, asked_json: &str) -> PyResult<(Matrix<'py>, String)> {
         self.with(|held| {
-            let (waves, names, near): (_, Vec<_>, _) = serde_json::from_str(asked_json).map_err(errors::input)?;
-            let found = py.detach(|| held.built.column_response(&held.inner, &waves, &names, near));
+            let (waves, names, near, sea): (_, Vec<_>, _, Option<_>) =
+                serde_json::from_str(asked_json).map_err(errors::input)?;
+            let found = py.detach(|| held.built.column_response(&held.inner, &waves, &names, near, sea.as_ref()));
             let found = found.map_err(errors::input)?;
             let about = serde_json::to_string(&found).map_err(errors::input)?;
             Ok((matrix(py, found.amplitudes.as_flattened().to_vec(), found.amplitudes.len(), 2)?, about))

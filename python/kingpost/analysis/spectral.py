@@ -23,6 +23,16 @@ from ..scenario import Overrides, Scenario
 from ..simulation.python_warnings import record_warnings
 from ..simulation.records import WaveSystem
 from ..simulation.simulate import Simulation
+from .random_sea import (
+    BESIDE,
+    SPREAD,
+    directions_of,
+    grid_between,
+    lines_of,
+    nodes_of,
+    random_sea,
+    trapezoidal,
+)
 from .response import frequencies_that_all_cover
 from .statistics import EULER
 from .wave_response import REASONS, as_simulation, matching
@@ -34,14 +44,8 @@ if TYPE_CHECKING:
     Numbers = NDArray[np.float64]
 
 HALF_HOUR_S = 1800.0
-SPREAD = 24
-"""Number of directions of equal energy that represent a short-crested sea."""
-PARTS = 8
-"""Number of integration steps between two frequencies of the response."""
 MOST_LINES = 400
 """Largest number of waves of a single frequency at which the response is solved exactly."""
-BESIDE = 1e-9
-"""Distance of the grid points on either side of a band's end, as a share of its frequency."""
 HARDLY_DAMPED = 1e-3
 """Damping ratio below which a run needs hundreds of periods to reach the resonance peak."""
 LEFT_OUT = 0.01
@@ -68,6 +72,8 @@ class Transfer:
         |H|^2, shape (directions, frequencies, columns); NaN for a column without response.
     halved
         |H|^2 interpolated from every second frequency of the response.
+    linearised
+        Lines with mass whose drag is linearised for a random sea.
     warnings
         Warnings.
     """
@@ -80,13 +86,13 @@ class Transfer:
     omega_rad_s: Numbers
     squares: Numbers
     halved: Numbers
+    linearised: list[str]
     warnings: list[str]
 
     @property
     def weights(self) -> Numbers:
         """Weights of the trapezoidal rule over the frequencies, rad/s."""
-        steps = np.diff(self.omega_rad_s)
-        return 0.5 * (np.append(steps, 0.0) + np.append(0.0, steps))
+        return trapezoidal(self.omega_rad_s)
 
 
 def spectral_response(
@@ -103,6 +109,12 @@ def spectral_response(
     0.577 / c)``, ``c = sqrt(2 ln(T / Tz))`` (Davenport, *Proc. ICE* 28(2), 1964), and a limit L is exceeded
     in this duration with the probability ``1 - exp(-(T / Tz) exp(-(L - mean)^2 / (2 sigma^2)))`` (Rice, *Bell
     Syst. Tech. J.* 24, 1945).
+
+    Lines with mass move by their own inertia and drag, in the waves at their nodes. The drag, quadratic in
+    the velocity of the water relative to the line, is replaced by its mean and the mean of its slope over
+    the Gaussian velocities of the response itself, found by iteration (Borgman, *J. Waterways Harbors Div.
+    ASCE* 93(WW2), 1967; Atalik & Utku, *Earthquake Eng. Struct. Dyn.* 4, 1976); a current enters as the mean
+    velocity. Lines without drag are at rest between their ends, like in `kingpost.wave_response`.
 
     Parameters
     ----------
@@ -124,13 +136,14 @@ def spectral_response(
         ``zero_up_crossing_period`` (s), ``expected_maximum``, ``expected_minimum``, ``linear`` and
         ``reason``, and ``interpolation_error``, the relative change of the standard deviation if every second
         frequency of the response is left out. By ``limit``: ``limit_column`` and the ``probability`` that the
-        limit is exceeded in `duration_s`.
+        limit is exceeded in `duration_s`. Attribute ``drag``: the kind of linearisation, and the lines whose
+        drag is part of the response.
 
     Raises
     ------
     KingpostError
-        If no wave system is enabled, there is no equilibrium, a column is unknown, or the duration is not
-        greater than 0.
+        If no wave system is enabled, there is no equilibrium, a column is unknown, the duration is not
+        greater than 0, or the drag in this sea is not found.
 
     >>> found = spectral_response("offshore_vessel", ["hull.pitch"], waves=True)
     >>> round(float(np.rad2deg(found.standard_deviation[0])), 2)
@@ -148,7 +161,8 @@ def spectral_response(
         raise KingpostError(
             "sea.waves: found no enabled wave system, allowed: a wave system with enabled: true"
         )
-    found = transfer(simulation, chosen, directions_of(systems), nodes_of(systems), lines_of(systems))
+    sea = random_sea(simulation, systems)
+    found = transfer(simulation, chosen, directions_of(systems), nodes_of(systems), lines_of(systems), sea)
     (systems,) = simulation.sea_spectra(found.omega_rad_s, SPREAD)
     m0, m2, halved = moments_in(found, systems)
     sigma, period = deviation_and_period(m0, m2)
@@ -185,12 +199,28 @@ def spectral_response(
     }
     attributes = results.attributes(simulation.scenario, "about rest, by the spectrum of the sea")
     attributes["duration_s"] = duration_s
+    attributes["drag"] = f"{STOCHASTIC}: {', '.join(found.linearised)}" if found.linearised else NO_DRAG
     about_model = simulation.scenario.model["warnings"]
     of_slack = [f"{found.columns[k]}: {SLACK}; without it, {least[k]:.3g} {found.units[k]}" for k in slack]
-    record_warnings(attributes, [*about_model, *found.warnings, *beyond_the_data(found, systems), *of_slack])
+    record_warnings(
+        attributes,
+        [
+            *about_model,
+            *found.warnings,
+            *beyond_the_data(found, systems),
+            *of_slack,
+            *of_one_frequency(found, systems),
+        ],
+    )
     return xarray.Dataset(variables, coordinates, attributes)
 
 
+STOCHASTIC = "stochastic linearisation, for Gaussian velocities, of the drag on lines"
+NO_DRAG = "no quadratic drag: it is zero at rest"
+REGULAR = (
+    "the drag on lines is linearised for a Gaussian motion; for the motion in a regular wave it is a third "
+    "too large"
+)
 ONE_SIDED = ("tension", "normal_force")
 """Suffixes of the names of columns that are never negative."""
 SLACK = "its least value is 0: it goes slack or lifts off in this sea, which a linear response leaves out"
@@ -203,6 +233,7 @@ def transfer(
     directions_rad: ArrayLike,
     nodes_rad_s: ArrayLike,
     lines_rad_s: ArrayLike = (),
+    sea: dict[str, Any] | None = None,
 ) -> Transfer:
     """Compute the squared response of columns on a grid over the frequencies that all databases cover.
 
@@ -221,6 +252,8 @@ def transfer(
         Further frequencies of the grid, rad/s.
     lines_rad_s
         Frequencies of single waves, rad/s: at these the response is exact, if there are at most `MOST_LINES`.
+    sea
+        Random sea for which the drag on lines is linearised, as for `Simulation.column_response`.
 
     Returns
     -------
@@ -236,13 +269,9 @@ def transfer(
     if len(covered) and len(lines) <= MOST_LINES:
         within = lines[(lines > covered[0]) & (lines < covered[-1])]
         covered = np.unique(np.concatenate([covered, within]))
-    found = simulation.column_response(directions_rad, covered, columns or (), about_resonances=True)
+    found = simulation.column_response(directions_rad, covered, columns or (), about_resonances=True, sea=sea)
     omega = np.array(found["frequencies_rad_s"])
-    nodes = np.concatenate([np.asarray(nodes_rad_s, float), lines])
-    cut = omega[:-1, None] + np.arange(PARTS) / PARTS * np.diff(omega)[:, None]
-    grid = np.unique(
-        np.concatenate([cut.ravel(), omega[-1:], nodes[(nodes > omega[0]) & (nodes < omega[-1])]])
-    )
+    grid = grid_between(omega, np.concatenate([np.asarray(nodes_rad_s, float), lines]))
     not_linear = {
         name: REASONS[reason]
         for name, reason in zip(found["columns"], found["not_linear"], strict=True)
@@ -258,6 +287,7 @@ def transfer(
         omega_rad_s=grid,
         squares=_squares(omega, found["amplitudes"], grid),
         halved=_squares(omega[every_second], found["amplitudes"][:, every_second], grid),
+        linearised=found["linearised"],
         warnings=[*found["warnings"], *_peaks(found["resonances"], omega)],
     )
 
@@ -282,26 +312,6 @@ def _peaks(resonances: list[dict[str, float]], omega: Numbers) -> list[str]:
         if omega[0] <= one["frequency_rad_s"] <= omega[-1]
         if (ratio := one["decay_per_s"] / one["frequency_rad_s"]) < HARDLY_DAMPED
     ]
-
-
-def directions_of(systems: Sequence[WaveSystem]) -> Numbers:
-    """Directions of a sea's wave systems without repetitions, rad."""
-    every = [one["directions_rad"] + [line[1] for line in one["lines"]] for one in systems]
-    return np.unique(np.concatenate([np.asarray(one, float) for one in every]))
-
-
-def nodes_of(systems: Sequence[WaveSystem]) -> Numbers:
-    """Frequencies at which a system's spectral density has a kink, and frequencies next to the ends of bands,
-    rad/s."""
-    ends = [
-        end * (1 + side) for one in systems for end in one["band_rad_s"] or () for side in (-BESIDE, BESIDE)
-    ]
-    return np.unique([*ends, *(node for one in systems for node in one["nodes_rad_s"])])
-
-
-def lines_of(systems: Sequence[WaveSystem]) -> Numbers:
-    """Frequencies of the regular waves without repetitions, rad/s."""
-    return np.unique([line[0] for one in systems for line in one["lines"]])
 
 
 def moments_in(found: Transfer, systems: Sequence[WaveSystem]) -> tuple[Numbers, Numbers, Numbers]:
@@ -391,6 +401,13 @@ def exceedance(
                 rate = duration_s / period * np.exp(-0.5 * (margin / sigma) ** 2)
             crossings = crossings + np.where(sigma == 0, 0.0, rate)
     return np.where(beyond, 1.0, -np.expm1(-crossings))
+
+
+def of_one_frequency(found: Transfer, systems: Sequence[WaveSystem]) -> list[str]:
+    """Warn about drag that is linearised for a Gaussian sea, if a regular wave has most of the energy."""
+    largest = max((line[2] for one in systems for line in one["lines"]), default=0.0)
+    whole = sum(one["variance_m2"] for one in systems)
+    return [REGULAR] if found.linearised and largest > 0.5 * whole else []
 
 
 def beyond_the_data(found: Transfer, systems: Sequence[WaveSystem]) -> list[str]:

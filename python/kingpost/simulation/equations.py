@@ -203,6 +203,7 @@ class Equations:
         frequencies_rad_s: ArrayLike,
         columns: Sequence[str] = (),
         about_resonances: bool = False,
+        sea: dict[str, Any] | None = None,
     ) -> dict[str, Any]:
         """Compute complex amplitudes of columns of the results by direction, frequency and column, with the
         crane in its present state; `kingpost.wave_response` returns them with labels.
@@ -217,18 +218,23 @@ class Equations:
             Names of the columns; if empty, all.
         about_resonances
             Whether to add frequencies about each resonance that is narrower than the frequency steps.
+        sea
+            Random sea for which the drag on lines with mass is linearised: ``waves``, with ``directions_rad``
+            and ``frequencies_rad_s``, and ``variances_m2`` of the elevation by direction and frequency;
+            default: lines are at rest between their ends, without drag.
 
         Returns
         -------
         dict
             ``amplitudes``, complex, shape (directions, frequencies, columns), NaN for a column without linear
             response; ``columns``, ``units``, ``mean``, ``not_linear``, ``resonances``, ``frequencies_rad_s``,
-            ``warnings``.
+            ``linearised`` (the lines whose drag is), ``warnings``.
 
         Raises
         ------
         KingpostError
-            If there is no equilibrium, a database does not cover a frequency, or a column is unknown.
+            If there is no equilibrium, a database does not cover a frequency, a column is unknown, or the
+            drag in `sea` is not found.
 
         >>> from kingpost import Simulation, load
         >>> found = Simulation(load("barge")).column_response([0.0], [1.0], ["ship.roll", "ship.pitch"])
@@ -239,7 +245,7 @@ class Equations:
             "directions_rad": np.asarray(directions_rad, float).tolist(),
             "frequencies_rad_s": np.asarray(frequencies_rad_s, float).tolist(),
         }
-        asked = json.dumps([waves, list(columns), bool(about_resonances)])
+        asked = json.dumps([waves, list(columns), bool(about_resonances), sea])
         parts, about = self._engine.column_response(asked)
         found = json.loads(about)
         shape = (len(found["directions_rad"]), len(found["frequencies_rad_s"]), len(found["columns"]))

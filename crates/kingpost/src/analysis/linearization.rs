@@ -185,12 +185,7 @@ impl Linearizer {
         for (chunk, directions) in all.chunks(DIRECTIONS).enumerate() {
             self.tangent.evaluate(at.q, &still, at, directions);
             for (row, state) in self.along.iter().enumerate() {
-                let rate = match *state {
-                    Along::Position(i) => self.tangent.xi_dot[i],
-                    Along::Velocity(i) => self.tangent.v_dot[i],
-                    Along::Extra(i) => self.tangent.s_dot[i],
-                    Along::Input(_) => Number::default(),
-                };
+                let rate = self.tangent.rate(*state);
                 rates[row] = rate.value;
                 for k in 0..directions.len() {
                     derivatives[(row, chunk * DIRECTIONS + k)] = rate.derivative[k];

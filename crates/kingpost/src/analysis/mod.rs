@@ -15,4 +15,4 @@ pub use gradient::{Gradient, gradient};
 pub use linearization::{LinearNames, Linearization, Linearizer};
 pub use natural_modes::{ModesError, NaturalMode, natural_modes};
 #[cfg(not(target_family = "wasm"))]
-pub use response::{ColumnResponse, NotLinear, Resonance, ResponseError, WaveGrid, WaveResponse};
+pub use response::{ColumnResponse, NotLinear, RandomSea, Resonance, ResponseError, WaveGrid, WaveResponse};

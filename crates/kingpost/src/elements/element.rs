@@ -1,6 +1,8 @@
 //! The trait of all elements: parts that act on the model or read it.
 
-use super::{AnyWatcher, Context, Declaration, Occurrence, PresentSupport, RegularWaves, ShownWaves, Support};
+use super::{
+    AnyWatcher, Context, Declaration, Occurrence, PresentSupport, RandomDrag, RegularWaves, ShownWaves, Support,
+};
 use crate::dynamics::{Clock, Kinematics, Loads, UnilateralConstraint};
 use crate::scalar::Scalar;
 use crate::world::World;
@@ -158,6 +160,20 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
     /// only through the motions.
     fn shown_waves(&self, _bodies: &Kinematics<S>) -> Vec<(usize, ShownWaves<S>)> {
         Vec::new()
+    }
+
+    /// Lets its states that [`AtRest`](super::EvaluationMode::AtRest) finds anew at every instant move about rest, or not: for
+    /// natural modes and linear responses.
+    fn move_about_rest(&mut self, _moves: bool) {}
+
+    /// Returns its drag in a linear response to a random sea; `None` if it has none there.
+    fn random_drag(&self) -> Option<&dyn RandomDrag<S>> {
+        None
+    }
+
+    /// Returns the drag of [`random_drag`](Self::random_drag), mutable.
+    fn random_drag_mut(&mut self) -> Option<&mut dyn RandomDrag<S>> {
+        None
     }
 
     /// Returns a warning of effects that the element leaves out and that are not small at the start of a run, with their

@@ -2,9 +2,10 @@
 
 use super::Plant;
 use super::element_contexts::ElementContexts;
-use crate::elements::EvaluationMode;
+use crate::elements::{AnyElement, EvaluationMode};
 use crate::integrate::{Interval, Stage};
 use crate::scalar::Scalar;
+use crate::spatial::Symmetric3;
 
 impl<S: Scalar> Plant<S> {
     /// Sets the purpose of the following evaluations.
@@ -24,6 +25,21 @@ impl<S: Scalar> Plant<S> {
     pub fn set_trims(&mut self, trims: &[Vec<S>]) {
         let settling = self.elements.iter_mut().filter_map(|element| element.settling_mut());
         settling.zip(trims).for_each(|(settling, trim)| settling.set_trim(trim));
+    }
+
+    /// Returns the elements of the plant, mutable.
+    pub fn elements_mut(&mut self) -> &mut [AnyElement<S>] {
+        &mut self.elements
+    }
+
+    /// Sets the covariances of the water's relative velocities at the nodes of each element with
+    /// [random drag](crate::elements::RandomDrag), in the order of the elements.
+    pub fn set_spreads(&mut self, spreads: &[Vec<Symmetric3>]) {
+        let drags = self.elements.iter_mut().filter_map(|element| element.random_drag_mut());
+        drags.zip(spreads).for_each(|(drag, spread)| drag.set_spread(spread));
+        if let Some(tangent) = self.tangent_mut() {
+            tangent.plant_mut().set_spreads(spreads);
+        }
     }
 
     /// Transfers the holding forces to the elements' trims, during the search for an equilibrium. Returns the

@@ -104,6 +104,11 @@ impl Tangent {
         &self.plant
     }
 
+    /// Returns the plant, mutable.
+    pub fn plant_mut(&mut self) -> &mut Plant<Number> {
+        &mut self.plant
+    }
+
     /// Evaluates the rates at `q = retract(base, xi)` and `at`'s v, s, d, with derivatives along at most
     /// [`DIRECTIONS`] directions; `at.q` is not used. Allocates nothing.
     pub fn evaluate(&mut self, base: &[f64], xi: &[f64], at: Stage<'_>, along: &[Along]) {
@@ -112,6 +117,16 @@ impl Tangent {
         let (q, v, s, d) = (&self.q, &self.v, &self.s, &self.d);
         let stage = Stage { time_s: at.time_s, interval: at.interval, q, v, s, d, m: at.m };
         self.plant.rates(stage, &mut self.v_dot, &mut self.s_dot);
+    }
+
+    /// Returns the rate of a variable at the last evaluation; 0 for an input.
+    pub fn rate(&self, of: Along) -> Number {
+        match of {
+            Along::Position(i) => self.xi_dot[i],
+            Along::Velocity(i) => self.v_dot[i],
+            Along::Extra(i) => self.s_dot[i],
+            Along::Input(_) => Number::ZERO,
+        }
     }
 
     /// Calls `see` with an observation of the plant at this state, with the same derivatives; returns its

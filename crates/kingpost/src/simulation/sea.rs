@@ -3,6 +3,7 @@
 use super::errors::check_array;
 use super::{InputError, Simulation, stage};
 use crate::sea::waves::WaveComponent;
+use crate::spatial::Symmetric3;
 
 impl Simulation {
     /// Returns the regular waves whose sum is the sea; none in calm water.
@@ -17,6 +18,12 @@ impl Simulation {
         let (mut real, mut imaginary) = (vec![0.0; waves.len()], vec![0.0; waves.len()]);
         waves.phasors(point, time_s, &mut real, &mut imaginary);
         [real, imaginary]
+    }
+
+    /// Gives the elements with [random drag](crate::elements::RandomDrag) its mean at rest in a random sea, like
+    /// [`Plant::set_spreads`](crate::plant::Plant::set_spreads).
+    pub fn set_spreads(&mut self, spreads: &[Vec<Symmetric3>]) {
+        self.plant.set_spreads(spreads);
     }
 
     /// Replaces the amplitude (m) and phase (rad) of each wave, in the order of [`Self::waves`], and

@@ -35,7 +35,9 @@ impl Simulation {
     pub fn small_motions(&mut self) -> DMatrix<f64> {
         let size = 2 * self.plant.model.free_coordinates().len() + self.plant.layout().states.len();
         self.plant.set_evaluation_mode(EvaluationMode::AtRest);
+        self.plant.elements_mut().iter_mut().for_each(|element| element.move_about_rest(true));
         let columns: Vec<DVector<f64>> = (0..size).map(|state| self.rates_by(Changed::State(state))).collect();
+        self.plant.elements_mut().iter_mut().for_each(|element| element.move_about_rest(false));
         self.plant.set_evaluation_mode(EvaluationMode::Running);
         let mut a = DMatrix::zeros(size, size);
         columns.into_iter().enumerate().for_each(|(state, column)| a.set_column(state, &column));

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...analysis import spectral
+from ...analysis import random_sea, spectral
 from ...errors import KingpostError
 from ...scenario import Scenario
 from ...simulation.records import WaveSystem
@@ -118,7 +118,7 @@ def moments(
     """Compute m0, m2 and m0 of the halved response for each sea and column."""
     keys = {key: k for k, key in enumerate(dict.fromkeys(sea.key for sea in seas))}
     trees = [json.loads(key) for key in keys]
-    shapes = simulation.sea_spectra([], spectral.SPREAD, trees)
+    shapes = simulation.sea_spectra([], random_sea.SPREAD, trees)
     if not all(shapes):
         raise KingpostError("sea.waves: found a case without any, allowed: a wave system with enabled: true")
     # By key: the index of each enabled system among those of the sea.
@@ -127,18 +127,20 @@ def moments(
         for tree, one_sea in zip(trees, shapes, strict=True)
     ]
     turned = [_turned(shapes[keys[sea.key]], running[keys[sea.key]], sea) for sea in seas]
-    directions = np.unique(np.concatenate([spectral.directions_of(one) for one in turned]))
-    nodes = np.unique(np.concatenate([spectral.nodes_of(one) for one in shapes]))
-    lines = np.unique(np.concatenate([spectral.lines_of(one) for one in shapes]))
+    directions = np.unique(np.concatenate([random_sea.directions_of(one) for one in turned]))
+    nodes = np.unique(np.concatenate([random_sea.nodes_of(one) for one in shapes]))
+    lines = np.unique(np.concatenate([random_sea.lines_of(one) for one in shapes]))
     found = spectral.transfer(simulation, columns, directions, nodes, lines)
-    densities = simulation.sea_spectra(found.omega_rad_s, spectral.SPREAD, trees)
+    densities = simulation.sea_spectra(found.omega_rad_s, random_sea.SPREAD, trees)
     # By key and system: moments by direction and column, for all directions.
     every = [[_weighted(found, one) for one in one_sea] for one_sea in densities]
     sums = np.zeros((3, len(seas), len(found.columns)))
     for case, (sea, systems) in enumerate(zip(seas, turned, strict=True)):
         for one, known in zip(systems, every[keys[sea.key]], strict=True):
             if known is not None:
-                at = np.searchsorted(found.directions_rad, np.array(one["directions_rad"]) - spectral.BESIDE)
+                at = np.searchsorted(
+                    found.directions_rad, np.array(one["directions_rad"]) - random_sea.BESIDE
+                )
                 sums[:, case] += known[:, at].mean(axis=1)
             if one["lines"]:
                 sums[:, case] += spectral.moments_in(found, [{**one, "directions_rad": []}])

@@ -2,6 +2,7 @@
 
 use super::excitation::WaveLoads;
 use super::not_linear::NotLinear;
+use super::random_sea::{self, RandomSea};
 use super::resonances::{Resonance, resolved, resonances};
 use super::rows::Rows;
 use super::{AtRest, ResponseError, WaveGrid, check_directions, smoothness};
@@ -36,6 +37,8 @@ pub struct ColumnResponse {
     pub amplitudes: Vec<[f64; 2]>,
     /// Natural frequencies that waves can excite, the lowest first.
     pub resonances: Vec<Resonance>,
+    /// Names of the elements whose drag is linearised for the sea.
+    pub linearised: Vec<String>,
     /// Warnings.
     pub warnings: Vec<String>,
 }
@@ -60,7 +63,7 @@ impl Scenario {
         columns: &[String],
         about_resonances: bool,
     ) -> Result<ColumnResponse, ResponseError> {
-        self.clone().build()?.column_response(simulation, waves, columns, about_resonances)
+        self.clone().build()?.column_response(simulation, waves, columns, about_resonances, None)
     }
 }
 
@@ -75,17 +78,23 @@ impl BuiltScenario {
     /// the waves to a column, such as their elevation. A column without such a derivative has no H, but a
     /// reason.
     ///
+    /// In a random sea, elements with [random drag](crate::elements::RandomDrag) have the linear drag of the mean square error that
+    /// is least in the response itself, which is found by iteration; their nodes are states then, and the water at them is a further
+    /// part of f.
+    ///
     /// # Errors
-    /// The errors of [`wave_response`](Self::wave_response), and a column that does not exist.
+    /// The errors of [`wave_response`](Self::wave_response), a column that does not exist, and drag that is not found.
     pub fn column_response(
         &self,
         simulation: &Simulation,
         waves: &WaveGrid,
         columns: &[String],
         about_resonances: bool,
+        sea: Option<&RandomSea>,
     ) -> Result<ColumnResponse, ResponseError> {
         let elements = self.elements_in_waves()?;
-        let mut at = AtRest::new(self, simulation)?;
+        let drags = sea.map_or(Ok(None), |sea| random_sea::find(self, simulation, sea))?;
+        let mut at = AtRest::new(self, simulation, drags)?;
         let loads = WaveLoads::new(elements, &mut at.rest, &at.free)?;
         let frequencies_rad_s = loads.frequencies(&waves.frequencies_rad_s)?;
         check_directions(&waves.directions_rad)?;
@@ -125,6 +134,7 @@ impl BuiltScenario {
             not_linear: chosen.iter().map(|column| column.not_linear).collect(),
             amplitudes,
             resonances,
+            linearised: linearised(&at, elements),
             warnings: warnings(&at, elements, &rows),
         })
     }
@@ -133,7 +143,7 @@ impl BuiltScenario {
 /// Returns warnings of an unstable equilibrium, of elements that are left out at rest, and of inputs that are held.
 fn warnings(at: &AtRest, elements: &[AnyElement], rows: &Rows) -> Vec<String> {
     let unstable = at.instability.as_ref().map(|why| format!("the equilibrium is not stable: {why}"));
-    let left_out = elements.iter().filter_map(|element| {
+    let left_out = elements.iter().filter(|element| !is_linearised(at, element)).filter_map(|element| {
         let (name, text) = (element.name(), element.left_out_at_rest()?);
         Some(if name.is_empty() { text.to_owned() } else { format!("{name}: {text}") })
     });
@@ -148,6 +158,16 @@ fn warnings(at: &AtRest, elements: &[AnyElement], rows: &Rows) -> Vec<String> {
         }
     }
     all
+}
+
+/// Returns the names of the elements whose drag is linearised for a random sea.
+fn linearised(at: &AtRest, elements: &[AnyElement]) -> Vec<String> {
+    elements.iter().filter(|element| is_linearised(at, element)).map(|element| element.name().to_owned()).collect()
+}
+
+/// Whether the drag of an element is linearised for a random sea.
+fn is_linearised(at: &AtRest, element: &AnyElement) -> bool {
+    at.drags.is_some() && element.random_drag().is_some()
 }
 
 /// A column of the response.
@@ -174,7 +194,8 @@ fn chosen(rows: &Rows, names: &[String]) -> Result<Vec<Chosen>, ResponseError> {
     Ok(places.into_iter().map(|place| Chosen { name: all[place].name.clone(), ..all[place] }).collect())
 }
 
-/// Returns the amplitudes of the states, followed by those of the wave forces; one column for each direction.
+/// Returns the amplitudes of the states, followed by those of the wave forces and of the water at nodes; one column for each
+/// direction.
 fn moved(
     at: &AtRest,
     loads: &WaveLoads<'_>,
@@ -183,8 +204,12 @@ fn moved(
 ) -> Result<DMatrix<Complex<f64>>, ResponseError> {
     let (x, f) = (at.states(loads, omega, directions)?, loads.forces(omega, directions));
     let (states, forces) = (x.nrows(), f.nrows());
-    let mut all = x.resize_vertically(states + forces, Complex::ZERO);
+    let components = at.water_components();
+    let mut all = x.resize_vertically(states + forces + components, Complex::ZERO);
     all.rows_mut(states, forces).copy_from(&f);
+    if let Some(water) = &at.water {
+        all.rows_mut(states + forces, components).copy_from(&water.amplitudes(loads, omega, directions));
+    }
     Ok(all)
 }
 

@@ -4,23 +4,28 @@ mod columns;
 mod excitation;
 mod not_linear;
 mod output;
+mod random_drags;
+mod random_sea;
 mod resonances;
 mod rows;
+mod shifted;
 mod smoothness;
 mod wave_forces;
 
 pub use columns::ColumnResponse;
 pub use not_linear::NotLinear;
+pub use random_sea::RandomSea;
 pub use resonances::Resonance;
 
 use super::{Linearization, Linearizer};
 use crate::elements::AnyElement;
-use crate::plant::Along;
+use crate::plant::{Along, Number, Plant};
 use crate::scenario::{BuiltScenario, Scenario, ScenarioError};
-use crate::simulation::{Instability, NoEquilibrium, Simulation};
+use crate::simulation::{Instability, NoEquilibrium, Setup, Simulation};
 use excitation::WaveLoads;
 use nalgebra::{Complex, ComplexField, DMatrix, Dyn, LU};
 use output::Outputs;
+use random_drags::{RandomDrags, WaterAtNodes};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -97,6 +102,19 @@ pub enum ResponseError {
         /// Range that is allowed.
         allowed: String,
     },
+    /// The iteration for the drag in a random sea does not converge.
+    #[error(
+        "the drag in this sea is not found within {iterations} iterations: the variance of a relative velocity still changes by a share \
+         of {change:.3e}, allowed: {allowed:e}"
+    )]
+    Drag {
+        /// Number of iterations.
+        iterations: usize,
+        /// The largest change, as a share.
+        change: f64,
+        /// The largest change that is allowed.
+        allowed: f64,
+    },
     /// At this frequency an undamped motion is unbounded.
     #[error("frequencies_rad_s: found {found}, allowed: a frequency away from the resonances of undamped motions")]
     Resonance {
@@ -130,7 +148,7 @@ impl BuiltScenario {
     /// No equilibrium, no hull, a frequency that a database does not cover.
     pub fn wave_response(&self, simulation: &Simulation, waves: &WaveGrid) -> Result<WaveResponse, ResponseError> {
         let elements = self.elements_in_waves()?;
-        let mut at_rest = AtRest::new(self, simulation)?;
+        let mut at_rest = AtRest::new(self, simulation, None)?;
         let loads = WaveLoads::new(elements, &mut at_rest.rest, &at_rest.free)?;
         let frequencies_rad_s = loads.frequencies(&waves.frequencies_rad_s)?;
         check_directions(&waves.directions_rad)?;
@@ -191,16 +209,41 @@ struct AtRest {
     along: Vec<Along>,
     /// Instability of the equilibrium, if it is unstable.
     instability: Option<Instability>,
+    /// Drag of the elements that respond to a random sea, and the water at their nodes; `None` if none does.
+    drags: Option<RandomDrags>,
+    water: Option<WaterAtNodes>,
 }
 
 impl AtRest {
-    fn new(scenario: &BuiltScenario, simulation: &Simulation) -> Result<Self, ResponseError> {
+    /// Settles a simulation and linearises it there, with this drag in a random sea.
+    fn new(
+        scenario: &BuiltScenario,
+        simulation: &Simulation,
+        drags: Option<RandomDrags>,
+    ) -> Result<Self, ResponseError> {
         let mut rest = simulation.clone();
+        if let Some(drags) = &drags {
+            rest.set_spreads(&drags.spreads);
+        }
         let instability = rest.settle()?.instability;
-        let mut linearizer = Linearizer::of_built(scenario)?.at_rest();
+        let Setup { model, world, elements, .. } = setup_of(scenario, drags.as_ref())?;
+        let plant = Plant::new(model, world, elements);
+        let mut linearizer = Linearizer::of_plant(plant.clone()).at_rest();
         let free: Vec<usize> = linearizer.positions().collect();
-        let linear = linearizer.at(&rest);
-        Ok(Self { rest, linear, free, along: linearizer.along().to_vec(), instability })
+        let (linear, along) = (linearizer.at(&rest), linearizer.along().to_vec());
+        let water = drags.as_ref().map(|drags| WaterAtNodes::new(plant, rest.stage(), &along, drags));
+        Ok(Self { rest, linear, free, along, instability, drags, water })
+    }
+
+    /// Returns the rates of the states by waves of 1 m, one column for each direction.
+    fn forcing(&self, loads: &WaveLoads<'_>, omega: f64, directions: &[f64]) -> DMatrix<Complex<f64>> {
+        let (states, free) = (self.linear.states.len(), self.free.len());
+        let mut rates = DMatrix::<Complex<f64>>::zeros(states, directions.len());
+        rates.view_mut((free, 0), (free, directions.len())).copy_from(&loads.accelerations(omega, directions));
+        if let Some(water) = &self.water {
+            rates += water.forcing(loads, omega, directions);
+        }
+        rates
     }
 
     /// Returns the amplitudes of the states in waves of 1 m, one column for each direction: `(-i w - A) x =
@@ -211,14 +254,21 @@ impl AtRest {
         omega: f64,
         directions: &[f64],
     ) -> Result<DMatrix<Complex<f64>>, ResponseError> {
-        let (states, free) = (self.linear.states.len(), self.free.len());
-        let mut right = DMatrix::<Complex<f64>>::zeros(states, directions.len());
-        right.view_mut((free, 0), (free, directions.len())).copy_from(&loads.accelerations(omega, directions));
+        let (states, right) = (self.linear.states.len(), self.forcing(loads, omega, directions));
         let system = DMatrix::from_fn(states, states, |i, j| {
             Complex::new(-self.linear.a[(i, j)], if i == j { -omega } else { 0.0 })
         });
         solved(&system.lu(), right).ok_or(ResponseError::Resonance { found: omega })
     }
+}
+
+/// Returns the setup over dual numbers, whose elements have this drag in a random sea.
+fn setup_of(scenario: &BuiltScenario, drags: Option<&RandomDrags>) -> Result<Setup<Number>, ScenarioError> {
+    let mut setup = scenario.dual_setup()?.clone();
+    if let Some(drags) = drags {
+        drags.put_into(&mut setup.elements);
+    }
+    Ok(setup)
 }
 
 /// Returns the solution of a linear system; also of one without unknowns, if no coordinate can move, for

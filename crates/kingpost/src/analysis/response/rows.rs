@@ -1,10 +1,11 @@
-//! Rows of results about rest: their values, and their derivatives with respect to the states and the wave
-//! forces.
+//! Rows of results about rest: their values, and their derivatives with respect to the states, the wave forces and the water at
+//! nodes.
 
-use super::AtRest;
 use super::excitation::WaveLoads;
 use super::not_linear::NotLinear;
+use super::random_drags::{set_water, vary_water};
 use super::wave_forces::FORCES;
+use super::{AtRest, setup_of};
 use crate::elements::AnyElement;
 use crate::integrate::Stage;
 use crate::ledger;
@@ -20,6 +21,8 @@ pub(super) struct Rows {
     channels: Channels,
     /// Variable of each state, then of each force.
     along: Vec<Along>,
+    /// Number of components of the water's motion at nodes.
+    water: usize,
     /// Time and interval at rest; d contains the inputs, followed by the forces.
     time: (f64, crate::integrate::Interval),
     q: Vec<f64>,
@@ -29,8 +32,8 @@ pub(super) struct Rows {
     m: Vec<i64>,
     /// Values of the columns at rest.
     pub(super) mean: Vec<f64>,
-    /// Derivatives of each column with respect to each state, then to each force; not finite if they do not
-    /// exist.
+    /// Derivatives of each column with respect to each state, then to each force, then to each component of the water's
+    /// motion; not finite if they do not exist.
     pub(super) derivatives: DMatrix<f64>,
     /// Reason for each column that is not proportional to small waves.
     pub(super) not_linear: Vec<Option<NotLinear>>,
@@ -39,7 +42,7 @@ pub(super) struct Rows {
 impl Rows {
     /// Computes the rows of a scenario at rest.
     pub(super) fn new(scenario: &BuiltScenario, at: &AtRest, loads: &WaveLoads<'_>) -> Result<Self, ScenarioError> {
-        let setup = scenario.dual_setup()?.clone();
+        let setup = setup_of(scenario, at.drags.as_ref())?;
         let mut elements = setup.elements;
         let forces = loads.as_inputs(&at.rest);
         let count = FORCES * forces.len();
@@ -55,6 +58,7 @@ impl Rows {
         let (before, numbers) = d.split_at(inputs);
         let mut rows = Self {
             along: at.along.iter().copied().chain((inputs..inputs + count).map(Along::Input)).collect(),
+            water: at.water_components(),
             time: (time_s, interval),
             q: q.to_vec(),
             v: v.to_vec(),
@@ -82,7 +86,7 @@ impl Rows {
         self.tangent.plant().layout()
     }
 
-    /// Returns a row with these changes of states and forces, in the order of the derivatives.
+    /// Returns a row with these changes of states, forces and water, in the order of the derivatives.
     pub(super) fn changed_by(&mut self, changes: &[f64]) -> Vec<f64> {
         let (mut xi, mut v, mut s, mut d) = (vec![0.0; self.v.len()], self.v.clone(), self.s.clone(), self.d.clone());
         for (along, change) in self.along.iter().zip(changes) {
@@ -96,6 +100,10 @@ impl Rows {
         }
         let (time_s, interval) = self.time;
         let at = Stage { time_s, interval, q: &self.q, v: &v, s: &s, d: &d, m: &self.m };
+        if self.water > 0 {
+            let of_water = &changes[self.along.len()..];
+            set_water(self.tangent.plant_mut().elements_mut(), |component| Number::still(of_water[component]));
+        }
         row(&mut self.tangent, &self.channels, at, &xi, &[]).iter().map(|number| number.value).collect()
     }
 
@@ -121,7 +129,28 @@ impl Rows {
             let over_time = by_ledger.row(column).iter().any(|entry| *entry != 0.0);
             *not_linear = over_time.then_some(NotLinear::OverTime);
         }
-        self.derivatives = derivatives.columns(0, self.along.len()).into_owned();
+        let mut whole = derivatives
+            .columns(0, self.along.len())
+            .into_owned()
+            .resize_horizontally(self.along.len() + self.water, 0.0);
+        self.differentiate_by_water(&mut whole);
+        self.derivatives = whole;
+    }
+
+    /// Writes the derivatives with respect to the water's motion at nodes, behind the others.
+    fn differentiate_by_water(&mut self, derivatives: &mut DMatrix<f64>) {
+        let (time_s, interval) = self.time;
+        let still = vec![0.0; self.v.len()];
+        for first in (0..self.water).step_by(DIRECTIONS) {
+            vary_water(self.tangent.plant_mut().elements_mut(), first);
+            let at = Stage { time_s, interval, q: &self.q, v: &self.v, s: &self.s, d: &self.d, m: &self.m };
+            let row = row(&mut self.tangent, &self.channels, at, &still, &[]);
+            for (column, number) in row.iter().enumerate() {
+                for k in 0..DIRECTIONS.min(self.water - first) {
+                    derivatives[(column, self.along.len() + first + k)] = number.derivative[k];
+                }
+            }
+        }
     }
 
     /// Marks the time, and the columns that are constant between two samples.

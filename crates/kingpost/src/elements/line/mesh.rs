@@ -1,6 +1,7 @@
 //! The elements and nodes of a line, and the length that belongs to each.
 
 use super::bend::{Bend, bends};
+use super::in_random_sea::RandomWater;
 use super::section::{ClumpWeight, LineSection, WetPart};
 use crate::elements::Context;
 use crate::scalar::Scalar;
@@ -42,13 +43,16 @@ pub struct LineMeshNode<S> {
     pub growth: f64,
     /// Clump weight or buoy that is fastened to it.
     pub clump: Option<ClumpWeight<S>>,
+    /// The random sea about it, in a linear response.
+    pub random: Option<RandomWater<S>>,
 }
 
 impl<S: Scalar> LineMeshNode<S> {
     /// Returns its length in the water, with the node at a point and with this unit tangent.
     pub fn in_water(&self, at: &Context<'_, S>, point: Vector3<S>, tangent: Vector3<S>) -> WetPart<S> {
         let middle = point[2] + tangent[2] * self.length * S::constant(self.middle);
-        self.section.in_water(at, self.length, (point, middle, tangent), self.clump.as_ref())
+        let wet = self.section.in_water(at, self.length, (point, middle, tangent), self.clump.as_ref());
+        self.random.as_ref().map_or(wet, |sea| wet.in_random_sea(sea))
     }
 
     /// Returns its mass without water, kg.
@@ -135,10 +139,10 @@ impl<S: Scalar> LineMesh<S> {
             node.length = length * S::constant(node.growth);
         }
         if let Some(beyond) = &self.beyond {
-            let LineMeshNode { growth, share, clump, .. } = self.nodes[end];
+            let LineMeshNode { growth, share, clump, random, .. } = self.nodes[end];
             let own = node(&self.elements[self.supplied - 1], 0.0, 0.0);
             let own = LineMeshNode { length: length * S::constant(growth), ..own };
-            self.nodes[end] = LineMeshNode { growth, share, clump, ..own.with(beyond) };
+            self.nodes[end] = LineMeshNode { growth, share, clump, random, ..own.with(beyond) };
         }
         (self.first, self.length) = (length, length + self.others);
     }
@@ -183,14 +187,14 @@ impl<S: Scalar> LineMeshNode<S> {
                 of(|section| section.drag[1] * section.diameter) / diameter,
             ],
         };
-        Self { length, section, middle: 0.0, share: 0.0, growth: 0.0, clump: None }
+        Self { length, section, middle: 0.0, share: 0.0, growth: 0.0, clump: None, random: None }
     }
 }
 
 /// Returns a node with these sixths of an element, whose middle is at this share of them from the node.
 fn node<S: Scalar>(element: &LineMeshElement<S>, sixths: f64, middle: f64) -> LineMeshNode<S> {
     let length = element.length * S::constant(sixths / 6.0);
-    LineMeshNode { length, section: element.section, middle, share: 0.0, growth: 0.0, clump: None }
+    LineMeshNode { length, section: element.section, middle, share: 0.0, growth: 0.0, clump: None, random: None }
 }
 
 /// Returns the sixths of an element of a part that is paid out.

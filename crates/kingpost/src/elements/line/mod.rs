@@ -16,6 +16,7 @@ mod descent;
 mod feed;
 pub(crate) mod fields;
 mod ground;
+mod in_random_sea;
 mod mesh;
 mod nodes;
 mod one_sided;
@@ -35,8 +36,8 @@ pub use supply::LineSupply;
 use super::lines::{declaration_of_line, place, pull_at, shares, velocity};
 use super::ropes::{Drum, RopePath, Station};
 use super::{
-    Advancing, Context, Crossing, Declaration, Element, ElementState, EvaluationMode, Event, Output, StateDeclaration,
-    Support,
+    Advancing, Context, Crossing, Declaration, Element, ElementState, EvaluationMode, Event, Output, RandomDrag,
+    StateDeclaration, Support,
 };
 use crate::dynamics::Loads;
 use crate::model::Attachment;
@@ -72,6 +73,8 @@ pub struct DynamicLine<S = f64> {
     supply: Option<LineSupply<S>>,
     /// Positions of the nodes between the ends at the start, world, m, if it does not begin at rest.
     pub start: Option<Vec<Vector3<S>>>,
+    /// Whether its nodes move by its states about rest, too: in natural modes and in a linear response to a random sea.
+    responds: bool,
     /// Number of points along it at which the results have its tension: 0, or 2 and more.
     pub points_along: usize,
     /// Its elements and nodes.
@@ -129,6 +132,7 @@ impl<S: Scalar> DynamicLine<S> {
             ground: None,
             supply: None,
             start: None,
+            responds: false,
             points_along: 0,
             nodes: Nodes::new(&mesh),
             statics: LineStatics::new(&mesh),
@@ -188,10 +192,10 @@ impl<S: Scalar> DynamicLine<S> {
     /// Reads the motion of all nodes, and computes the forces on them and the accelerations between the ends. Returns the
     /// supply.
     ///
-    /// At rest, the nodes are where the line rests between its ends, unless the line was given another start.
+    /// At rest, the nodes are where the line rests between its ends, unless the line was given another start or moves
+    /// about rest.
     fn evaluate(&mut self, at: &Context<'_, S>) -> Option<Supplied<S>> {
-        let supplied =
-            if at.evaluation.runs() || self.start.is_some() { self.put_nodes(at, at.states) } else { self.rest(at) };
+        let supplied = if self.moves_nodes(at.evaluation) { self.put_nodes(at, at.states) } else { self.rest(at) };
         self.nodes.stretch(&self.mesh, self.by_rule(at));
         self.book_ends(supplied.is_some(), at);
         self.nodes.load(&self.mesh, self.ground.as_ref(), at);
@@ -203,6 +207,11 @@ impl<S: Scalar> DynamicLine<S> {
         let from = self.motions() + ENERGIES;
         let read = |end: usize| Vector3::from_slice(&at.states[from + 3 * end..]);
         if at.evaluation.runs() { [read(0), read(1)] } else { [Vector3::zero(); 2] }
+    }
+
+    /// Whether the nodes are where its states say.
+    fn moves_nodes(&self, evaluation: EvaluationMode) -> bool {
+        evaluation.runs() || self.start.is_some() || (self.responds && evaluation == EvaluationMode::AtRest)
     }
 
     /// Sets the length of the first part, if it is paid out.
@@ -404,9 +413,21 @@ impl<S: Scalar> Element<S> for DynamicLine<S> {
 
     fn left_out_at_rest(&self) -> Option<&'static str> {
         Some(
-            "the response leaves out the drag on this line, which is zero at rest; in a run it damps the line, most near the line's own \
-             periods, and the ship on it",
+            "the response has this line at rest between its ends at every instant, and leaves out its inertia, the waves on it and its \
+             drag, which is zero at rest; in a run the drag damps the line, most near its own periods, and the ship on it",
         )
+    }
+
+    fn move_about_rest(&mut self, moves: bool) {
+        self.responds = moves;
+    }
+
+    fn random_drag(&self) -> Option<&dyn RandomDrag<S>> {
+        self.has_random_drag().then_some(self as _)
+    }
+
+    fn random_drag_mut(&mut self) -> Option<&mut dyn RandomDrag<S>> {
+        self.has_random_drag().then_some(self as _)
     }
 
     fn advancing(&mut self) -> Option<&mut dyn Advancing<S>> {

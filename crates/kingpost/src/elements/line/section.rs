@@ -4,7 +4,7 @@ use super::one_sided::{OneSided, mean_one_sided, one_sided, positive};
 use crate::elements::Context;
 use crate::elements::lines::length_and_direction;
 use crate::scalar::Scalar;
-use crate::spatial::{Matrix3, Vector3};
+use crate::spatial::{Matrix3, Symmetric3, Vector3};
 use crate::world::CurrentAt;
 use core::f64::consts::{FRAC_PI_4, PI};
 
@@ -71,19 +71,23 @@ impl<S: Scalar> PartMass<S> {
 #[derive(Clone, Copy, Debug)]
 pub struct WetPart<S> {
     /// Unit tangent of the part.
-    tangent: Vector3<S>,
+    pub(super) tangent: Vector3<S>,
     /// Velocity of the water, m/s.
-    velocity: Vector3<S>,
+    pub(super) velocity: Vector3<S>,
     /// Acceleration of the water, m/s^2.
-    acceleration: Vector3<S>,
+    pub(super) acceleration: Vector3<S>,
+    /// Mass of the displaced water, kg.
+    pub(super) displaced: S,
     /// Buoyancy and the force of the accelerated water, N.
     pub steady: Vector3<S>,
     /// Added mass, kg.
     pub added: PartMass<S>,
     /// Drag over the square of the relative speed, across and along, N s^2/m^2.
-    drag: [S; 2],
+    pub(super) drag: [S; 2],
     /// Loss of buoyancy per height, N/m: above 0 at the surface.
     pub stiffness: S,
+    /// Covariance of the relative velocity in a random sea, m^2/s^2, if the drag is its mean over it.
+    pub(super) spread: Option<Symmetric3>,
 }
 
 /// The drag on a part of a line.
@@ -106,10 +110,12 @@ impl<S: Scalar> WetPart<S> {
             tangent: zero,
             velocity: zero,
             acceleration: zero,
+            displaced: S::ZERO,
             steady: zero,
             added,
             drag: [S::ZERO; 2],
             stiffness: S::ZERO,
+            spread: None,
         }
     }
 
@@ -123,6 +129,7 @@ impl<S: Scalar> WetPart<S> {
         let up = Vector3::new(S::ZERO, S::ZERO, displaced * gravity);
         let of_area = half * density * clump.drag_area * share;
         Self {
+            displaced: self.displaced + displaced,
             steady: self.steady + up + self.acceleration * (displaced + added),
             added: PartMass { across: self.added.across + added, along: self.added.along + added },
             drag: self.drag.map(|drag| drag + of_area),
@@ -139,6 +146,9 @@ impl<S: Scalar> WetPart<S> {
     /// Returns the drag on the part at its velocity, this time (s) after that of the water's velocity.
     pub fn drag(&self, velocity: Vector3<S>, later_s: S) -> LineDrag<S> {
         let relative = self.velocity + self.acceleration * later_s - velocity;
+        if let Some(spread) = &self.spread {
+            return self.mean_drag(relative, spread);
+        }
         let along = self.tangent.dot(relative);
         let normal = relative - self.tangent * along;
         let (speed, direction) = length_and_direction(normal);
@@ -244,7 +254,8 @@ impl<S: Scalar> LineSection<S> {
         let added = PartMass { across, along };
         let per_share = density * self.diameter * self.diameter * length * S::constant(FRAC_PI_4) * at.world.gravity;
         let steady = buoyancy + inertial;
-        let part = WetPart { tangent, velocity, acceleration, steady, added, drag, stiffness: per_share * per_height };
+        let stiffness = per_share * per_height;
+        let part = WetPart { tangent, velocity, acceleration, displaced, steady, added, drag, stiffness, spread: None };
         clump.map_or(part, |clump| part.with_clump(clump, elevation - point[2], [density, at.world.gravity]))
     }
 }
