@@ -16,7 +16,7 @@
 //! at another point at the same time, as Kutta's scheme has two of each: their error falls by the change of the matrix, about
 //! as much as the first move is smaller than an element. Where the line became slack or left the ground since, such a
 //! move can be much too short, and does not end the search. Each further iteration has a matrix of its own. Derivatives follow
-//! their values an iteration later.
+//! by the matrix at the solution (implicit function theorem).
 
 use super::bend::LineEnds;
 use super::blocks::Blocks;
@@ -41,8 +41,9 @@ const LONGEST_MOVE: f64 = 0.5;
 /// Number of iterations with the first matrix.
 const WITH_FIRST_MATRIX: usize = 2;
 
-/// Change of a derivative that jumps, as a share of the jump, after which a matrix is too old to end the search.
-const JUMPED: f64 = 0.1;
+/// Change of a derivative that jumps, as a share of the jump, after which a matrix is too old to end the search: the error that is
+/// left is about this share of the last move.
+const JUMPED: f64 = 0.01;
 
 /// Energy of a line over a part of a step, J.
 #[derive(Clone, Copy, Debug)]
@@ -146,8 +147,9 @@ impl<S: Scalar> LineStep<S> {
             descent.improve(blocks, &mut span.next, limits, may_arrive);
             if descent.has_arrived() {
                 if S::HAS_DERIVATIVES {
-                    span.equations::<false>(blocks, mesh, ground);
-                    descent.differentiate(blocks, &mut span.next);
+                    span.equations::<true>(further, mesh, ground);
+                    further.factor();
+                    descent.differentiate(further, &mut span.next);
                 }
                 return Ok(());
             }
