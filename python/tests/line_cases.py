@@ -73,8 +73,8 @@ def hanging(
 
 def set_velocity(simulation: Simulation, elements: int, velocity_m_s: list[float]) -> None:
     """Gives all nodes of the only line this velocity. Its states are the last ones: positions and velocities
-    of the nodes between its ends, and two energies."""
+    of the nodes between its ends, two energies and two velocities of its ends."""
     state, nodes = simulation.state, 2 * elements - 1
     states = state.s.copy()
-    states[-3 * nodes - 2 : -2] = np.tile(velocity_m_s, nodes)
+    states[-3 * nodes - 8 : -8] = np.tile(velocity_m_s, nodes)
     simulation.set_state(state.q, state.v, states)

@@ -211,6 +211,7 @@ def test_stiffness_with_several_values_or_by_a_curve_is_one_number(deck, tmp_pat
         (6, "BA"),
         (7, "EA"),
         (7, "BA"),
+        (7, "EI"),
     }
 
 
