@@ -244,3 +244,31 @@ def test_runs_over_seeds_have_the_deviations_of_a_chain(tmp_path: Path) -> None:
         # makes the tension, a run has 8.5 % more.
         by_drag = 0.0 if name == "hull.pitch" else (np.sqrt(3 * np.pi / 8) - 1) * sigma
         assert abs(measured - sigma) < 3 * standard_error + by_drag, (name, measured, sigma, standard_error)
+
+
+@pytest.mark.thorough
+def test_the_drag_of_four_chains_in_a_current_is_found(tmp_path: Path) -> None:
+    """Nodes that hardly touch the seabed would rise and land in turns with the mean drag of an iteration."""
+    given = copy.deepcopy(CHAIN)
+    chain = given["forces"].pop("chain")["line"]
+    chain["sections"][0] |= {"unstretched_length_m": 285, "elements": 6}
+    for k, (x, y) in enumerate([(1, 1), (1, -1), (-1, 1), (-1, -1)]):
+        ends = {"first": [38 * x, (4 if x > 0 else 8) * y, 4], "second": [255 * x, 150 * y, -100]}
+        bodies = {"first": "hull", "second": "world"}
+        placed = {end: {"body": bodies[end], "position_m": place} for end, place in ends.items()}
+        given["forces"][f"chain_{k}"] = {"line": chain | placed}
+    given["sea"]["current_m_s"] = [-0.6, 0]
+    given["sea"]["waves"]["wind_sea"]["jonswap"]["direction_deg"] = 150
+    path = tmp_path / "moored.json"
+    path.write_text(json.dumps(given))
+    simulation = kingpost.Simulation(kingpost.load(path))
+    (systems,) = simulation.sea_spectra([], random_sea.SPREAD)
+    sea = random_sea.random_sea(simulation, systems)
+    assert sea is not None
+    # Every sixth frequency is enough for the iteration.
+    thin = [6 * np.array(row)[::6] for row in sea["variances_m2"]]
+    waves = sea["waves"] | {"frequencies_rad_s": sea["waves"]["frequencies_rad_s"][::6]}
+    given_sea = {"waves": waves, "variances_m2": [row.tolist() for row in thin]}
+    found = simulation.column_response([2.6], [0.5], ["chain_0.line_tension"], sea=given_sea)
+    assert found["linearised"] == [f"chain_{k}" for k in range(4)]
+    assert np.isfinite(found["amplitudes"]).all()

@@ -223,7 +223,7 @@ impl AtRest {
     ) -> Result<Self, ResponseError> {
         let mut rest = simulation.clone();
         if let Some(drags) = &drags {
-            rest.set_spreads(&drags.spreads);
+            rest.set_spreads(&drags.at_rest);
         }
         let instability = rest.settle()?.instability;
         let Setup { model, world, elements, .. } = setup_of(scenario, drags.as_ref())?;

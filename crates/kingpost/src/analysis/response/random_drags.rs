@@ -14,6 +14,8 @@ use nalgebra::{Complex, DMatrix};
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct RandomDrags {
     pub(super) spreads: Vec<Vec<Symmetric3>>,
+    /// Those with which the model is settled.
+    pub(super) at_rest: Vec<Vec<Symmetric3>>,
 }
 
 impl RandomDrags {

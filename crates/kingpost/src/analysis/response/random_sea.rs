@@ -27,6 +27,9 @@ const CONVERGED: f64 = 1e-4;
 const LEAST: f64 = 1e-6;
 /// Largest number of iterations; 5 to 15 are usual.
 const MOST_ITERATIONS: usize = 60;
+/// Number of iterations that settle the model again. Where a node hardly touches the seabed, the mean drag lifts it off and lays it down in
+/// turns; then the covariances are those about the last position.
+const MOST_SETTLED: usize = 12;
 /// Power of the last variance in the next one. At a resonance the variance is inversely proportional to the damping and so to the root
 /// of the last variance: this power makes the iteration quadratic there, and a factor of 1/3 where the motion is forced.
 const OF_LAST: f64 = 1.0 / 3.0;
@@ -44,7 +47,8 @@ pub(super) fn find(
     let elements = scenario.elements_in_waves()?;
     let first = Symmetric3::diagonal([FIRST_M_S * FIRST_M_S; 3]);
     let nodes = elements.iter().filter_map(|element| Some(element.random_drag()?.nodes()));
-    let mut drags = RandomDrags { spreads: nodes.map(|nodes| vec![first; nodes]).collect() };
+    let spreads: Vec<_> = nodes.map(|nodes| vec![first; nodes]).collect();
+    let mut drags = RandomDrags { at_rest: spreads.clone(), spreads };
     if drags.spreads.is_empty() {
         return Ok(None);
     }
@@ -53,15 +57,18 @@ pub(super) fn find(
     for iterations in 1..=MOST_ITERATIONS {
         let mut at = AtRest::new(scenario, &rest, Some(drags.clone()))?;
         let loads = WaveLoads::new(elements, &mut at.rest, &at.free)?;
-        let next = spreads(&at, &loads, sea)?;
-        change = largest_change(&drags, &next);
+        let next = covariances(&at, &loads, sea)?;
+        change = largest_change(&drags.spreads, &next);
         if change.is_nan() {
             return Err(ResponseError::Drag { iterations, change, allowed: CONVERGED });
         }
         if change <= CONVERGED {
-            return Ok(Some(next));
+            return Ok(Some(RandomDrags { spreads: next, ..drags }));
         }
-        drags = between(&drags, &next);
+        drags.spreads = between(&drags.spreads, &next);
+        if iterations < MOST_SETTLED {
+            drags.at_rest.clone_from(&drags.spreads);
+        }
         rest = at.rest;
     }
     Err(ResponseError::Drag { iterations: MOST_ITERATIONS, change, allowed: CONVERGED })
@@ -90,8 +97,8 @@ impl RandomSea {
 }
 
 /// Returns the covariances of the relative velocities in the response of a linearised system to a sea.
-fn spreads(at: &AtRest, loads: &WaveLoads<'_>, sea: &RandomSea) -> Result<RandomDrags, ResponseError> {
-    let (Some(water), Some(drags)) = (&at.water, &at.drags) else { return Ok(RandomDrags { spreads: Vec::new() }) };
+fn covariances(at: &AtRest, loads: &WaveLoads<'_>, sea: &RandomSea) -> Result<Vec<Vec<Symmetric3>>, ResponseError> {
+    let (Some(water), Some(drags)) = (&at.water, &at.drags) else { return Ok(Vec::new()) };
     let shifted = Shifted::new(&at.linear.a);
     let WaveGrid { directions_rad, frequencies_rad_s } = &sea.waves;
     let mut sums = vec![Symmetric3::default(); drags.spreads.iter().map(Vec::len).sum()];
@@ -106,7 +113,7 @@ fn spreads(at: &AtRest, loads: &WaveLoads<'_>, sea: &RandomSea) -> Result<Random
         add_covariances(&relative, &variances, &mut sums);
     }
     let mut all = sums.into_iter();
-    Ok(RandomDrags { spreads: drags.spreads.iter().map(|own| all.by_ref().take(own.len()).collect()).collect() })
+    Ok(drags.spreads.iter().map(|own| all.by_ref().take(own.len()).collect()).collect())
 }
 
 /// Adds the covariances of velocities, three of each node, in waves of these variances.
@@ -121,19 +128,19 @@ fn add_covariances(relative: &DMatrix<Complex<f64>>, variances: &[f64], sums: &m
 }
 
 /// Returns each node's sums of variances along three axes.
-fn traces(drags: &RandomDrags) -> impl Iterator<Item = f64> {
-    drags.spreads.iter().flatten().map(|spread| spread.xx + spread.yy + spread.zz)
+fn traces(spreads: &[Vec<Symmetric3>]) -> impl Iterator<Item = f64> {
+    spreads.iter().flatten().map(|spread| spread.xx + spread.yy + spread.zz)
 }
 
 /// Returns the largest change of a variance, as a share; NaN if one is not a number.
-fn largest_change(last: &RandomDrags, next: &RandomDrags) -> f64 {
+fn largest_change(last: &[Vec<Symmetric3>], next: &[Vec<Symmetric3>]) -> f64 {
     let least = LEAST * traces(next).fold(f64::MIN_POSITIVE, f64::max);
     let changes = traces(last).zip(traces(next)).map(|(last, next)| (next - last).abs() / last.max(least));
     changes.fold(0.0, |most: f64, change| if change.is_nan() || change > most { change } else { most })
 }
 
 /// Returns the next covariances, with their size between those of the last and of the response to them.
-fn between(last: &RandomDrags, next: &RandomDrags) -> RandomDrags {
+fn between(last: &[Vec<Symmetric3>], next: &[Vec<Symmetric3>]) -> Vec<Vec<Symmetric3>> {
     let of = |(last, next): (&Symmetric3, &Symmetric3)| {
         let [before, after] = [last, next].map(|spread| spread.xx + spread.yy + spread.zz);
         let scale = if before > 0.0 && after > 0.0 { libm::pow(before / after, OF_LAST) } else { 1.0 };
@@ -141,6 +148,5 @@ fn between(last: &RandomDrags, next: &RandomDrags) -> RandomDrags {
         let [xx, xy, xz, yy, yz, zz] = [xx, xy, xz, yy, yz, zz].map(|entry| entry * scale);
         Symmetric3 { xx, xy, xz, yy, yz, zz }
     };
-    let each = last.spreads.iter().zip(&next.spreads);
-    RandomDrags { spreads: each.map(|(last, next)| last.iter().zip(next).map(of).collect()).collect() }
+    last.iter().zip(next).map(|(last, next)| last.iter().zip(next).map(of).collect()).collect()
 }
