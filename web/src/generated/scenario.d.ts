@@ -2537,6 +2537,11 @@ export type DynamicLineSection = {
    */
   damping_time_s?: number;
   /**
+   * EI: bending moment per curvature, N m^2; none for a section that is paid out. A section with it also pushes, one without
+   * becomes slack.
+   */
+  bending_stiffness_N_m2?: number;
+  /**
    * Added mass over the mass of the displaced water, across the line.
    */
   added_mass_across?: number;
@@ -5242,8 +5247,8 @@ export interface Pin2 {
 }
 /**
  * A wire or chain with mass between two points on bodies or in the world: a mooring line, a hoisting wire in deep water.
- * It has axial stiffness and damping, weight, buoyancy, added mass and drag in waves and current, and can lie on the seabed;
- * it has no bending stiffness. A run begins with the line at rest between its ends. It has two ends, or a path over a drum and
+ * It has axial stiffness and damping, bending stiffness, weight, buoyancy, added mass and drag in waves and current, and can lie
+ * on the seabed. A run begins with the line at rest between its ends. It has two ends, or a path over a drum and
  * sheaves, from which its first section is paid out.
  *
  * With `rk4` and `euler` the line is advanced implicitly within each step, so that its axial waves do not limit the step;
@@ -5262,6 +5267,22 @@ export interface DynamicLine {
    * The other end: an anchor in the `world`, or a point of another body.
    */
   second?: Pin3 | null;
+  /**
+   * Direction in which it leaves the first end, in the axes of that body: the end is clamped, with bending stiffness in the
+   * first section. Without it, the line turns freely there.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  first_direction?: [number, number, number] | null;
+  /**
+   * Direction in which it arrives at the second end, in the axes of that body: the end is clamped, with bending stiffness in
+   * the last section. Without it, the line turns freely there.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  second_direction?: [number, number, number] | null;
   /**
    * Instead of both ends, the places of a path as of a `rope`, with one fall: the line is its last leg, from the last drum or
    * sheave, taken as a point, to the last point. Up to there it does not stretch and has no mass; the weight of what is paid
