@@ -8,6 +8,7 @@ mod linearization;
 mod natural_modes;
 #[cfg(not(target_family = "wasm"))]
 mod response;
+mod shifted;
 
 #[cfg(not(target_family = "wasm"))]
 pub use gradient::{Gradient, gradient};

@@ -1,5 +1,6 @@
 //! Natural oscillations of a model about its equilibrium.
 
+use super::shifted::Shifted;
 use crate::simulation::{NoEquilibrium, Simulation};
 use core::f64::consts::TAU;
 use nalgebra::linalg::balancing::balance_parlett_reinsch;
@@ -77,10 +78,11 @@ fn of_system(coordinates: &[String], masses: &[f64], mut a: DMatrix<f64>) -> Res
     let schur = Schur::try_new(a.clone(), f64::EPSILON, MOST_ITERATIONS).ok_or(ModesError::NoEigenvalues)?;
     let slowest = TAU / LONGEST_PERIOD_S;
     let values = schur.complex_eigenvalues();
+    let both = [Shifted::new(&a), Shifted::new(&a.transpose())];
     let mut modes: Vec<NaturalMode> = values
         .iter()
         .filter(|value| value.im > slowest)
-        .filter_map(|&value| mode(coordinates, masses, &a, &units, value))
+        .filter_map(|&value| mode(coordinates, masses, &both, &units, value))
         .collect();
     modes.sort_by(|one, other| other.period_s.total_cmp(&one.period_s));
     Ok(modes)
@@ -90,12 +92,11 @@ fn of_system(coordinates: &[String], masses: &[f64], mut a: DMatrix<f64>) -> Res
 fn mode(
     coordinates: &[String],
     masses: &[f64],
-    a: &DMatrix<f64>,
+    [a, transposed]: &[Shifted; 2],
     units: &DVector<f64>,
     value: Complex<f64>,
 ) -> Option<NaturalMode> {
-    let right = vector(a, value)?;
-    let left = vector(&a.transpose(), value)?;
+    let (right, left) = (vector(a, units.len(), value)?, vector(transposed, units.len(), value)?);
     let parts: Vec<Complex<f64>> = left.iter().zip(&right).map(|(l, x)| l * x).collect();
     let whole: Complex<f64> = parts.iter().sum();
     let of_bodies: f64 = parts[..2 * masses.len()].iter().map(|part| (part / whole).re).sum();
@@ -116,17 +117,14 @@ fn size(value: Complex<f64>) -> f64 {
 }
 
 /// Returns the eigenvector of an eigenvalue, by inverse iteration with a shift.
-fn vector(a: &DMatrix<f64>, value: Complex<f64>) -> Option<DVector<Complex<f64>>> {
-    let n = a.nrows();
+fn vector(a: &Shifted, n: usize, value: Complex<f64>) -> Option<DVector<Complex<f64>>> {
     let beside = value * (1.0 + BESIDE);
-    let shifted = DMatrix::from_fn(n, n, |i, j| Complex::from(a[(i, j)]) - if i == j { beside } else { Complex::ZERO });
-    let factors = shifted.lu();
     // All entries differ, so that the start is not orthogonal to an eigenvector.
-    let mut found = DVector::from_fn(n, |i, _| Complex::new(1.0 + 0.1 * (i % 7) as f64, 0.3));
+    let mut found = DMatrix::from_fn(n, 1, |i, _| Complex::new(1.0 + 0.1 * (i % 7) as f64, 0.3));
     for _ in 0..2 {
-        found = factors.solve(&found)?;
+        found = a.solve(beside, &found)?;
         let size = found.norm();
         found.unscale_mut(size);
     }
-    found.iter().all(|x| x.re.is_finite() && x.im.is_finite()).then_some(found)
+    found.iter().all(|x| x.re.is_finite() && x.im.is_finite()).then(|| found.column(0).into_owned())
 }

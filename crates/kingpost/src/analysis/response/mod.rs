@@ -8,7 +8,6 @@ mod random_drags;
 mod random_sea;
 mod resonances;
 mod rows;
-mod shifted;
 mod smoothness;
 mod wave_forces;
 

@@ -2,8 +2,8 @@
 
 use super::excitation::WaveLoads;
 use super::random_drags::RandomDrags;
-use super::shifted::Shifted;
 use super::{AtRest, ResponseError, WaveGrid};
+use crate::analysis::shifted::Shifted;
 use crate::scenario::BuiltScenario;
 use crate::simulation::Simulation;
 use crate::spatial::Symmetric3;
@@ -108,7 +108,8 @@ fn covariances(at: &AtRest, loads: &WaveLoads<'_>, sea: &RandomSea) -> Result<Ve
             continue;
         }
         let right = at.forcing(loads, omega, directions_rad);
-        let states = shifted.solve(omega, &right).ok_or(ResponseError::Resonance { found: omega })?;
+        let states =
+            shifted.solve(Complex::new(0.0, -omega), &right).ok_or(ResponseError::Resonance { found: omega })?;
         let relative = water.relative(&water.amplitudes(loads, omega, directions_rad), &states);
         add_covariances(&relative, &variances, &mut sums);
     }

@@ -12,9 +12,9 @@
 //! the material through the nodes (`pay_out.rs`) changes `x_1 - x_0` by c (L_1 - L_0), and the force by a part that its
 //! derivatives leave out: it is smaller by the speed of paying out over that of the waves in the line.
 //!
-//! Newton's method solves for `x_1`. The matrix of its first iteration serves for the second one, and for the first two
-//! at another point at the same time, as Kutta's scheme has two of each: their error falls by the change of the matrix, about
-//! as much as the first move is smaller than an element. Where the line became slack or left the ground since, such a
+//! Newton's method solves for `x_1`. The matrix of its first iteration serves for the next two, and for the first three at
+//! another point at the same time, as Kutta's scheme has two of each: their error falls by the change of the matrix, about as
+//! much as the first move is smaller than an element, and more slowly where friction begins. Where the line became slack or left the ground since, such a
 //! move can be much too short, and does not end the search. Each further iteration has a matrix of its own. Derivatives follow
 //! by the matrix at the solution (implicit function theorem).
 
@@ -32,18 +32,19 @@ use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
 /// Last move of a node, as a share of the length of an element, at which Newton's method has converged: the next move would
-/// be at most a thousandth of it.
+/// be about the square of this share.
 pub const CONVERGED: f64 = 1e-6;
+/// Last move with an old matrix at which it has converged: the next one would be smaller, but by the change of the matrix only.
+const CONVERGED_WITH_OLD: f64 = 1e-9;
 /// Largest number of iterations; 1 to 3 are usual, more if nodes touch the ground or become slack.
 pub const MOST_ITERATIONS: usize = 60;
 /// Longest move of a node in an iteration, as a share of the length of an element.
 const LONGEST_MOVE: f64 = 0.5;
 /// Number of iterations with the first matrix.
-const WITH_FIRST_MATRIX: usize = 2;
+const WITH_FIRST_MATRIX: usize = 3;
 
-/// Change of a derivative that jumps, as a share of the jump, after which a matrix is too old to end the search: the error that is
-/// left is about this share of the last move.
-const JUMPED: f64 = 0.01;
+/// Change of a derivative that jumps, as a share of the jump, after which a matrix is too old to end the search.
+const JUMPED: f64 = 0.1;
 
 /// Energy of a line over a part of a step, J.
 #[derive(Clone, Copy, Debug)]
@@ -128,14 +129,15 @@ impl<S: Scalar> LineStep<S> {
         span.paid[1] = mesh.first() - span.paid[0];
         span.directions = *directions;
         span.predict(time_s - span.clock[0], *places);
-        let limits = [CONVERGED, LONGEST_MOVE].map(|share| mesh.shortest() * S::constant(share));
+        let [with_new, with_old, longest] =
+            [CONVERGED, CONVERGED_WITH_OLD, LONGEST_MOVE].map(|share| mesh.shortest() * S::constant(share));
         descent.begin();
         for iteration in 0..MOST_ITERATIONS {
-            let (with_first, mut may_arrive) = (iteration < WITH_FIRST_MATRIX, S::ONE);
+            let (with_first, mut may_arrive, mut enough) = (iteration < WITH_FIRST_MATRIX, S::ONE, with_new);
             let blocks = if with_first { &mut *first } else { &mut *further };
             if with_first && *interval_s == span.clock[2] {
                 span.equations::<false>(blocks, mesh, ground);
-                may_arrive = have_not_jumped(rises, &span.rises);
+                (may_arrive, enough) = (have_not_jumped(rises, &span.rises), with_old);
             } else {
                 span.equations::<true>(blocks, mesh, ground);
                 blocks.factor();
@@ -144,7 +146,7 @@ impl<S: Scalar> LineStep<S> {
                     *interval_s = span.clock[2];
                 }
             }
-            descent.improve(blocks, &mut span.next, limits, may_arrive);
+            descent.improve(blocks, &mut span.next, [enough, longest], may_arrive);
             if descent.has_arrived() {
                 if S::HAS_DERIVATIVES {
                     span.equations::<true>(further, mesh, ground);

@@ -1,11 +1,11 @@
-//! Solution of `(-i w - A) x = b` at many frequencies.
+//! Solution of `(s - A) x = b` for many numbers s: frequencies, eigenvalues.
 
 use nalgebra::linalg::{Hessenberg, balancing::balance_parlett_reinsch};
 use nalgebra::{Complex, DMatrix, DVector};
 
 /// A in Hessenberg form `D Q H Q^T D^-1`: a solution costs the square of the number of states, not its cube (Laub, *IEEE Trans.
 /// Automatic Control* 26(2), 1981).
-pub(super) struct Shifted {
+pub(in crate::analysis) struct Shifted {
     scales: DVector<f64>,
     q: DMatrix<f64>,
     h: DMatrix<f64>,
@@ -13,15 +13,19 @@ pub(super) struct Shifted {
 
 impl Shifted {
     /// Reduces A, which has at least one state.
-    pub(super) fn new(a: &DMatrix<f64>) -> Self {
+    pub(in crate::analysis) fn new(a: &DMatrix<f64>) -> Self {
         let mut balanced = a.clone();
         let scales = balance_parlett_reinsch(&mut balanced);
         let (q, h) = Hessenberg::new(balanced).unpack();
         Self { scales, q, h }
     }
 
-    /// Returns `x` at a frequency, one column for each of `b`; `None` if the matrix is singular there.
-    pub(super) fn solve(&self, omega: f64, right: &DMatrix<Complex<f64>>) -> Option<DMatrix<Complex<f64>>> {
+    /// Returns `x` for a number s, one column for each of `b`; `None` if the matrix is singular there.
+    pub(in crate::analysis) fn solve(
+        &self,
+        shift: Complex<f64>,
+        right: &DMatrix<Complex<f64>>,
+    ) -> Option<DMatrix<Complex<f64>>> {
         let scaled = |part: fn(&Complex<f64>) -> f64| {
             let scaled = DMatrix::from_fn(right.nrows(), right.ncols(), |i, j| part(&right[(i, j)]) / self.scales[i]);
             self.q.tr_mul(&scaled)
@@ -30,7 +34,7 @@ impl Shifted {
         // By rows: the elimination adds rows.
         let mut rows: Vec<Vec<Complex<f64>>> = (0..re.nrows())
             .map(|i| {
-                let shifted = (0..re.nrows()).map(|j| Complex::new(-self.h[(i, j)], if i == j { -omega } else { 0.0 }));
+                let shifted = (0..re.nrows()).map(|j| if i == j { shift } else { Complex::ZERO } - self.h[(i, j)]);
                 shifted.chain((0..re.ncols()).map(|j| Complex::new(re[(i, j)], im[(i, j)]))).collect()
             })
             .collect();
@@ -90,7 +94,7 @@ mod tests {
             // Rows of very different sizes, as in seconds and pascals.
             let a = DMatrix::from_fn(n, n, |i, j| number(n * i + j) * libm::pow(10.0, i as f64 - j as f64));
             let b = DMatrix::from_fn(n, 2, |i, j| Complex::new(number(i + j), number(2 * i + 3 * j + 1)));
-            let x = Shifted::new(&a).solve(0.7, &b).expect("it is regular");
+            let x = Shifted::new(&a).solve(Complex::new(0.0, -0.7), &b).expect("it is regular");
             let product = x.map(|x| x * Complex::new(0.0, -0.7)) - a.map(|entry| Complex::new(entry, 0.0)) * &x;
             for (i, j) in (0..n).flat_map(|i| (0..2).map(move |j| (i, j))) {
                 let size = (0..n).fold(1.0, |sum, k| sum + a[(i, k)].abs() * x[(k, j)].norm_sqr().sqrt());
