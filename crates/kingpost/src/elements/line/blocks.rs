@@ -120,7 +120,7 @@ impl<S: Scalar> Blocks<S> {
 
     /// Returns the number of nodes behind a node, before the last one, on which it acts.
     fn reach(&self, node: usize, last: usize) -> usize {
-        let reach = if self.bends || node % 2 == 0 { 2 } else { 1 };
+        let reach = if self.bends || node.is_multiple_of(2) { 2 } else { 1 };
         reach.min(last - 1 - node)
     }
 
