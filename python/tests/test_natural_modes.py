@@ -16,7 +16,7 @@ SAME = 2e-3
 """Of a period and of a damping ratio: the browser takes differences, and the slowest yaw of a ship beside a
 stiff rope, whose rates are a millionth of the rope's, has three digits left; what swings in seconds, six."""
 QUICK = 1e-5
-QUICK_S = 60
+QUICK_S = 50
 SLOWEST_S = 1e4
 KEPT = [
     "a_frame_over_the_stern",
@@ -62,10 +62,13 @@ def test_the_oscillations_in_the_app_equal_those_of_the_package(name: str) -> No
         beside = np.abs(pairs.damped_period.values / mode["period_s"] - 1) < same
         assert beside.any(), mode
         assert np.abs(pairs.damping_ratio.values[beside] - mode["damping_ratio"]).min() < same, mode
-    # Of what moves bodies, and neither the water's memory nor a controller, nothing is missing.
+    # Of what moves bodies, and neither the water's memory, a controller nor a line, nothing is missing.
     if simulation_has_controllers(expected):
         return
     is_missing = [
         np.abs(period / np.array(periods) - 1).min(initial=1) > SAME for period in pairs.damped_period.values
     ]
-    assert (pairs.memory_share.values[is_missing] > MEMORY_SHARE).all(), pairs.isel(mode=is_missing)
+    of_water = pairs.memory_share.values > MEMORY_SHARE
+    of_line = np.array([".node_" in str(name) for name in pairs.named_after.values], dtype=bool)
+    missing = np.array(is_missing, dtype=bool) & ~of_water & ~of_line
+    assert not missing.any(), pairs.isel(mode=missing)
