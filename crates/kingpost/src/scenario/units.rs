@@ -42,7 +42,7 @@ pub const UNIT_ALIASES: [UnitAlias; 17] = [
 ];
 
 /// Endings of the names of quantities in SI units, and the unit of each.
-const SI_ENDINGS: [(&str, &str); 32] = [
+const SI_ENDINGS: [(&str, &str); 35] = [
     ("_s", "s"),
     ("_m", "m"),
     ("_rad", "rad"),
@@ -64,7 +64,10 @@ const SI_ENDINGS: [(&str, &str); 32] = [
     ("_s_per_rad", "s/rad"),
     ("_kg_m2", "kg m^2"),
     ("_kg_m3", "kg/m^3"),
+    ("_kg_per_m", "kg/m"),
     ("_N_m", "N m"),
+    ("_N_m2", "N m^2"),
+    ("_N_per_m3", "N/m^3"),
     ("_N_per_m", "N/m"),
     ("_N_m_s", "N m s"),
     ("_N_s_m", "N s/m"),

@@ -12,7 +12,6 @@
 //! energy is quadratic in positions and directions, so that its mean force over an interval is that of the mean position, and
 //! the errors are of second order in the distance of nodes.
 
-use super::mesh::LineMeshElement;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
@@ -57,16 +56,16 @@ impl<S: Scalar> Bend<S> {
     }
 }
 
-/// Returns the bends of a line of these elements, clamped at some of its ends; none if no element has bending stiffness.
-pub fn bends<S: Scalar>(elements: &[LineMeshElement<S>], clamped: [bool; 2]) -> Vec<Bend<S>> {
-    let resists = |element: &LineMeshElement<S>| !element.section.bending_stiffness.all(|stiffness| stiffness == 0.0);
-    if !elements.iter().any(resists) {
+/// Returns the bends of a line with elements of these lengths (m) and bending stiffnesses (N m^2), clamped at some of its ends;
+/// none if no element has bending stiffness.
+pub fn bends<S: Scalar>(elements: &[(S, S)], clamped: [bool; 2]) -> Vec<Bend<S>> {
+    if elements.iter().all(|(_, stiffness)| stiffness.all(|stiffness| stiffness == 0.0)) {
         return Vec::new();
     }
     let last = 2 * elements.len();
     let half = |interval: usize| {
-        let LineMeshElement { length, section } = &elements[interval / 2];
-        (*length * S::constant(0.5), section.bending_stiffness)
+        let (length, stiffness) = elements[interval / 2];
+        (length * S::constant(0.5), stiffness)
     };
     let mut bends: Vec<Bend<S>> = (1..last).map(|node| between(node, [half(node - 1), half(node)])).collect();
     for end in [0, 1].into_iter().filter(|end| clamped[*end]) {

@@ -104,13 +104,24 @@ impl<S: Scalar> LineMesh<S> {
         }
         let first = parts[0].unstretched_length;
         let others = parts[1..].iter().fold(S::ZERO, |sum, part| sum + part.unstretched_length);
-        let bends = bends(&elements, [false; 2]);
-        Self { elements, nodes, bends, length: first + others, supplied: 0, first, others, beyond: None }
+        let mesh = Self {
+            elements,
+            nodes,
+            bends: Vec::new(),
+            length: first + others,
+            supplied: 0,
+            first,
+            others,
+            beyond: None,
+        };
+        mesh.clamped([false; 2])
     }
 
     /// Clamps some of its ends, if it has bending stiffness.
     pub fn clamped(self, ends: [bool; 2]) -> Self {
-        Self { bends: bends(&self.elements, ends), ..self }
+        let each = |element: &LineMeshElement<S>| (element.length, element.section.bending_stiffness);
+        let elements: Vec<(S, S)> = self.elements.iter().map(each).collect();
+        Self { bends: bends(&elements, ends), ..self }
     }
 
     /// Lets the length of the first part change: this number of elements.
