@@ -97,8 +97,9 @@ function lineAnchors(scene: Scene): Anchor[] {
     const among = bodiesNamed(scene, line.name);
     const own = places[at];
     const tie = (world: Vec3, next: Vec3, kind: Anchor["kind"]): Anchor[] => {
-      const body = nearestBody(scene, among, world);
-      if (body < 0 || distanceFrom(scene, body, world) > REACH * Math.hypot(...edgesOf(scene.boxes[body]))) return [];
+      const within = among.filter((body) => distanceFrom(scene, body, world) <= REACH * Math.hypot(...edgesOf(scene.boxes[body])));
+      const body = nearestBody(scene, within, world);
+      if (body < 0) return [];
       const place = new Place(scene.poses, body);
       const [point, to] = [place.toBody(world), place.toBody(next)];
       const length = own.slice(1).reduce((sum, place, i) => sum + distance(place, own[i]), 0);
