@@ -2511,7 +2511,7 @@ export type DynamicLineSection = {
    */
   unstretched_length_m: number;
   /**
-   * Number of its elements, each with two nodes: the error falls with the fourth power of the number.
+   * Number of its elements, each with two nodes: the error falls with the fourth power of the number; with the second where drag or bending curves the line.
    */
   elements: number;
   /**

@@ -39,6 +39,12 @@ impl<S: Scalar> LineFeed<S> {
     }
 }
 
+/// Returns `xi df/ds` at a node in the first part of a line, behind its first one, for a vector f of the material at the nodes.
+pub fn convected<S: Scalar>(mesh: &LineMesh<S>, node: usize, f: impl Fn(usize) -> Vector3<S>) -> Vector3<S> {
+    let per_length = S::constant(mesh.nodes[node].share) / mesh.elements[node / 2].length;
+    (f(node - 1) - f(node + 1)) * per_length
+}
+
 /// Writes c at the nodes of the first part of a line at these positions.
 pub fn write_drifts<S: Scalar>(mesh: &LineMesh<S>, position: impl Fn(usize) -> Vector3<S>, out: &mut [Vector3<S>]) {
     for (node, drift) in out.iter_mut().enumerate() {

@@ -47,7 +47,8 @@ pub struct DynamicLine<S = f64> {
 pub struct DynamicLineSection<S = f64> {
     /// Length without tension, m.
     pub unstretched_length_m: Positive<S>,
-    /// Number of its elements, each with two nodes: the error falls with the fourth power of the number.
+    /// Number of its elements, each with two nodes: the error falls with the fourth power of the number; with the second where
+    /// drag or bending curves the line.
     pub elements: usize,
     /// Mass, kg/m.
     pub mass_kg_per_m: Positive<S>,

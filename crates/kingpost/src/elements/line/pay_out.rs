@@ -20,7 +20,7 @@
 //! what comes out (compare `ropes/mod.rs`). The material leaves the first end with its velocity there plus w, and pushes it with
 //! the thrust `-mu L' w`.
 
-use super::feed::{LineFeed, write_drifts};
+use super::feed::{LineFeed, convected, write_drifts};
 use super::ground::LineGround;
 use super::mesh::LineMesh;
 use super::nodes::Nodes;
@@ -54,8 +54,7 @@ impl<S: Scalar> Nodes<S> {
         if node >= 2 * mesh.supplied {
             return Vector3::zero();
         }
-        let per_length = S::constant(mesh.nodes[node].share) / mesh.elements[node / 2].length;
-        (self.nodes[node - 1].velocity - self.nodes[node + 1].velocity) * per_length
+        convected(mesh, node, |node| self.nodes[node].velocity)
     }
 
     /// Computes the force on the supply and the thrust, after the line is stretched. Returns their power, W,

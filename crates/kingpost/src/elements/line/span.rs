@@ -4,7 +4,7 @@
 //! Tarnow, *ZAMP* 43, 1992; Gonzalez, *J. Nonlinear Sci.* 6, 1996).
 
 use super::blocks::Blocks;
-use super::feed::write_drifts;
+use super::feed::{convected, write_drifts};
 use super::ground::LineGround;
 use super::mesh::{LineMesh, LineMeshElement};
 use super::nodes::{Nodes, tangents};
@@ -233,8 +233,7 @@ impl<S: Scalar> LineSpan<S> {
 
     /// Returns the mean of `xi (dv/ds) L'` at a node of the first part, m/s^2.
     pub fn convected(&self, node: usize, mesh: &LineMesh<S>, per_s: S) -> Vector3<S> {
-        let per_length = S::constant(mesh.nodes[node].share) / mesh.elements[node / 2].length;
-        (self.way(node - 1) - self.way(node + 1)) * (per_length * per_s * per_s * self.paid[1])
+        convected(mesh, node, |node| self.way(node)) * (per_s * per_s * self.paid[1])
     }
 
     /// Returns the slopes of the shape functions at a point of Gauss's rule, and the derivative of the position there.
