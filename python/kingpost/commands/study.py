@@ -204,7 +204,8 @@ def _cluster(address: str) -> Iterator[Executor]:
             "--scheduler: found no package distributed; install it with: pip install 'kingpost[cluster]'"
         ) from None
     try:
-        client = Client(address, timeout=CONNECT_S)
+        # A client that finds no scheduler would stay the default one.
+        client = Client(address, timeout=CONNECT_S, set_as_default=False)
     except (OSError, ValueError, TypeError) as error:
         raise KingpostError(
             f"--scheduler: found no scheduler at {address} ({error}), allowed: an address as tcp://host:8786"

@@ -70,9 +70,6 @@ class Observed:
         """A of x' = A x in calm water, which costs less than in waves, and the marks of states that elements
         advance themselves.
 
-        If the derivatives of a start at rest are not finite, A is that of the same state of a run that does
-        not begin at rest, in which drives hold nothing.
-
         Returns
         -------
         tuple of numpy.ndarray
@@ -84,18 +81,7 @@ class Observed:
         True
         """
         a, _, _, names = self._engine.linearize(in_waves=False)
-        if not np.isfinite(a).all() and self.scenario.resolved["simulation"]["begin_at_equilibrium"]:
-            a, _, _, names = self._as_given()._engine.linearize(in_waves=False)
         return a, np.array(json.loads(names)["advanced"], bool)
-
-    def _as_given(self) -> Observed:
-        """Simulation of the scenario without its search for rest, in the present state."""
-        from .simulate import Simulation
-
-        given = Simulation(self.scenario.with_overrides({"simulation.begin_at_equilibrium": False}))
-        q, v, s = self._engine.motion()[:3]
-        given.set_state(q, v, s)
-        return given
 
     @property
     def warnings(self) -> list[Warning]:

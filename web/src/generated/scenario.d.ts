@@ -2511,7 +2511,8 @@ export type DynamicLineSection = {
    */
   unstretched_length_m: number;
   /**
-   * Number of its elements, each with two nodes: the error falls with the fourth power of the number; with the second where drag or bending curves the line.
+   * Number of its elements, each with two nodes: the error falls with the fourth power of the number; with the second where
+   * drag or bending curves the line.
    */
   elements: number;
   /**
@@ -2559,7 +2560,7 @@ export type DynamicLineSection = {
    */
   drag_along?: number;
   /**
-   * A clump weight or a buoy at its end towards the second end of the line.
+   * A clump weight or a buoy at its end towards the second end of the line; in the last section only with a free end.
    */
   clump_weight?: LineClumpWeight | null;
 };
@@ -5267,6 +5268,11 @@ export interface DynamicLine {
    * The other end: an anchor in the `world`, or a point of another body.
    */
   second?: Pin3 | null;
+  /**
+   * Whether the second end is free, instead of `second`. The line begins at rest straight down, or up if it floats, as far as the
+   * seabed or the surface, and beyond along x.
+   */
+  second_free?: boolean;
   /**
    * Direction in which it leaves the first end, in the axes of that body: the end is clamped, with bending stiffness in the
    * first section. Without it, the line turns freely there.

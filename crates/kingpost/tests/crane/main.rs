@@ -19,6 +19,7 @@ mod inextensible_ropes;
 mod line_along;
 mod line_bending;
 mod line_dynamics;
+mod line_free_end;
 mod line_statics;
 mod line_steps;
 mod line_supply;

@@ -17,7 +17,7 @@ impl<S: Scalar> DynamicLine<S> {
         let by_rule = self.end_nodes().map(|node| self.step.has_advanced().then(|| self.step.velocity(node)));
         self.nodes.stretch_ends(&self.mesh, by_rule);
         self.book_ends(supplied.is_some(), at);
-        for node in self.end_nodes() {
+        for node in self.held_nodes() {
             let water = self.step.water_at(node, at.clock.time_s);
             self.nodes.load_end(node, &self.mesh, self.ground.as_ref(), water, at);
         }

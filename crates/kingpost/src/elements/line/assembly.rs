@@ -13,7 +13,7 @@ use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema::{self, RopeStation};
 use crate::simulation::Setup;
-use crate::spatial::Vector3;
+use crate::spatial::{Frame, Vector3};
 
 /// Largest number of elements of a line: its cost is linear in them, but each has twelve states.
 const MOST_ELEMENTS: usize = 2000;
@@ -47,10 +47,11 @@ impl<S: Quantity> Assemble<S> for schema::DynamicLine<S> {
         };
         let line = match (laid, self.enabled) {
             (Some(LaidLine::Between(ends)), true) => DynamicLine::new(name, ends, &parts),
+            (Some(LaidLine::Free([first, nowhere])), true) => DynamicLine::ending_free(name, first, nowhere, &parts),
             (Some(LaidLine::Over(stations, drum)), true) => DynamicLine::over(name, &stations, drum, &parts),
             _ => return Ok(Vec::new()),
         };
-        let line = with_clumps(line, &self.sections, &field)?.clamped(clamps(self, &parts, &field)?);
+        let line = with_clumps(line, self, &field)?.clamped(clamps(self, &parts, &field)?);
         Ok(vec![Box::new(DynamicLine { ground, points_along: self.points_along, ..line })])
     }
 }
@@ -68,6 +69,9 @@ fn clamps<S: Quantity>(
         return Err(FieldError::new(field(&format!("sections.{k}.bending_stiffness_N_m2")), found, allowed));
     }
     let given = [("first", &line.first_direction, 0), ("second", &line.second_direction, parts.len() - 1)];
+    if line.second_free && line.second_direction.is_some() {
+        return Err(FieldError::new(field("second_direction"), "a direction", "none at a free end"));
+    }
     for (which, direction, k) in given {
         if direction.is_some() && !bends(&parts[k]) {
             let allowed = format!("none, or sections.{k}.bending_stiffness_N_m2 > 0");
@@ -80,22 +84,22 @@ fn clamps<S: Quantity>(
 /// Fastens the clump weights and buoys to the ends of the sections.
 fn with_clumps<S: Quantity>(
     mut line: DynamicLine<S>,
-    sections: &[schema::DynamicLineSection<S>],
+    given: &schema::DynamicLine<S>,
     field: &dyn Fn(&str) -> String,
 ) -> Result<DynamicLine<S>, FieldError> {
     let mut element = 0;
-    for (k, section) in sections.iter().enumerate() {
+    for (k, section) in given.sections.iter().enumerate() {
         element += section.elements;
-        let Some(given) = &section.clump_weight else { continue };
-        if k + 1 == sections.len() {
+        let Some(clump) = &section.clump_weight else { continue };
+        if k + 1 == given.sections.len() && !given.second_free {
             let allowed = "none at the end of the last section: give its mass and volume to the body there";
             return Err(FieldError::new(field(&format!("sections.{k}.clump_weight")), "a clump weight", allowed));
         }
         let clump = ClumpWeight {
-            mass: given.mass_kg.get(),
-            volume: given.volume_m3.get(),
-            drag_area: given.drag_area_m2.get(),
-            added_mass: given.added_mass.get(),
+            mass: clump.mass_kg.get(),
+            volume: clump.volume_m3.get(),
+            drag_area: clump.drag_area_m2.get(),
+            added_mass: clump.added_mass.get(),
         };
         line = line.with_clump(element, clump);
     }
@@ -106,6 +110,8 @@ fn with_clumps<S: Quantity>(
 enum LaidLine<S> {
     /// Its two ends.
     Between([Attachment<S>; 2]),
+    /// Its first end, and a place in the world instead of the free one.
+    Free([Attachment<S>; 2]),
     /// The stations of a path, and the drum at its beginning.
     Over(Vec<Station<S>>, Option<Drum<S>>),
 }
@@ -117,13 +123,27 @@ fn laid<S: Quantity>(
     at: &Surroundings<'_, S>,
 ) -> Result<Option<LaidLine<S>>, FieldError> {
     let (first, second) = match (&line.first, &line.second, line.path.is_empty()) {
-        (Some(first), Some(second), true) => (first, second),
-        (None, None, false) => return over(line, field, at),
+        (Some(first), Some(second), true) if !line.second_free => (first, second),
+        (None, None, false) if !line.second_free => return over(line, field, at),
+        (Some(first), None, true) if line.second_free => {
+            let nowhere = at.model.attachment(None, Frame::translation(Vector3::zero()));
+            let first = end(at.scenario, at.model, &field("first"), first)?;
+            return Ok(first.map(|first| LaidLine::Free([first, nowhere])));
+        }
         (first, second, bare) => {
-            let found = [("first", first.is_some()), ("second", second.is_some()), ("path", !bare)];
+            let found = [
+                ("first", first.is_some()),
+                ("second", second.is_some()),
+                ("second_free", line.second_free),
+                ("path", !bare),
+            ];
             let given: Vec<&str> = found.iter().filter(|(_, given)| *given).map(|(name, _)| *name).collect();
             let found = if given.is_empty() { "neither ends nor a path".to_owned() } else { given.join(" and ") };
-            return Err(FieldError::new(field("first"), found, "first and second, or a path instead of both"));
+            return Err(FieldError::new(
+                field("first"),
+                found,
+                "first, with second or second_free, or a path instead of both",
+            ));
         }
     };
     if first.body == second.body {
@@ -219,8 +239,13 @@ pub fn begin<S: Quantity>(setup: &mut Setup<S>) -> Result<(), FieldError> {
 }
 
 fn check_rest<S: Quantity>(line: &DynamicLine<S>, rest: &RestingLine<S>, of: &str) -> Result<(), FieldError> {
+    if rest.strain.all(f64::is_nan) {
+        let allowed = "a shape that the search finds: check lengths, masses, buoys and the places of the ends";
+        return Err(FieldError::new(format!("{of}.sections"), "no shape at rest", allowed));
+    }
     let depth = line.ground.map(|ground| ground.depth);
-    for (which, z) in line.end_fields().iter().zip(rest.ends.map(|end| end[2])) {
+    let held = line.held_nodes().zip(line.end_fields()).zip(rest.ends);
+    for ((_, which), z) in held.map(|(held, end)| (held, end[2])) {
         let Some(depth) = depth else { continue };
         let under = -(z + depth) / depth;
         if !under.all(|under| under <= ON_SEABED) {
@@ -230,10 +255,6 @@ fn check_rest<S: Quantity>(line: &DynamicLine<S>, rest: &RestingLine<S>, of: &st
     }
     if rest.strain.all(|strain| strain <= LARGEST_STRAIN) {
         return Ok(());
-    }
-    if rest.strain.all(f64::is_nan) {
-        let allowed = "a shape that the search finds: check lengths, masses, buoys and the places of the ends";
-        return Err(FieldError::new(format!("{of}.sections"), "no shape at rest", allowed));
     }
     let found = format!(
         "{} m between ends {:.1} m apart, a strain of {:.3}",

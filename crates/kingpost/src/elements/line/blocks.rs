@@ -3,8 +3,9 @@
 
 use crate::scalar::Scalar;
 use crate::spatial::{Matrix3, Vector3};
+use core::ops::Range;
 
-/// The equations `A x = b` of a line whose ends do not move.
+/// The equations `A x = b` of a line whose first end does not move.
 #[derive(Clone, Debug)]
 pub struct Blocks<S> {
     /// Blocks of A on the diagonal, by node; once A is factored, the inverses of those of U.
@@ -19,13 +20,16 @@ pub struct Blocks<S> {
     turns: Vec<Matrix3<S>>,
     /// b, by node.
     right: Vec<Vector3<S>>,
+    /// The nodes that move.
+    moving: Range<usize>,
     /// Whether nodes in the middle of neighbouring elements act on each other, by bending.
     bends: bool,
 }
 
 impl<S: Scalar> Blocks<S> {
-    /// Allocates the memory for this odd number of nodes, of which every second one is in the middle of an element.
-    pub fn new(nodes: usize, bends: bool) -> Self {
+    /// Allocates the memory for this odd number of nodes, of which every second one is in the middle of an element; the moving
+    /// ones follow the first one.
+    pub fn new(nodes: usize, moving: Range<usize>, bends: bool) -> Self {
         let (zero, pairs) = (Matrix3::zero(), vec![[Matrix3::zero(); 2]; nodes]);
         Self {
             diagonal: vec![zero; nodes],
@@ -33,6 +37,7 @@ impl<S: Scalar> Blocks<S> {
             below: pairs,
             turns: Vec::new(),
             right: vec![Vector3::zero(); nodes],
+            moving,
             bends,
         }
     }
@@ -90,44 +95,43 @@ impl<S: Scalar> Blocks<S> {
 
     /// Factors A = L U.
     pub fn factor(&mut self) {
-        let last = self.right.len() - 1;
         self.below.copy_from_slice(&self.above);
-        for (node, turn) in self.turns.iter().enumerate().take(last).skip(1) {
+        for (node, turn) in self.turns.iter().enumerate().take(self.moving.end).skip(1) {
             self.above[node][0] += *turn;
             self.below[node - 1][0] -= *turn;
         }
-        (1..last).for_each(|node| self.eliminate(node, last));
+        self.moving.clone().for_each(|node| self.eliminate(node));
     }
 
-    /// Solves for x, which is zero at the ends, with A factored; entries are not finite if A is singular. Overwrites b.
+    /// Solves for x, which is zero at nodes that do not move, with A factored; entries are not finite if A is singular. Overwrites b.
     pub fn solve(&mut self, x: &mut [Vector3<S>]) {
-        let last = x.len() - 1;
-        for node in 1..last {
+        for node in self.moving.clone() {
             let right = self.right[node];
-            for behind in 1..=self.reach(node, last) {
+            for behind in 1..=self.reach(node) {
                 self.right[node + behind] -= self.below[node][behind - 1] * right;
             }
         }
-        (x[0], x[last]) = (Vector3::zero(), Vector3::zero());
-        for node in (1..last).rev() {
+        x[0] = Vector3::zero();
+        x[self.moving.end..].fill(Vector3::zero());
+        for node in self.moving.clone().rev() {
             let mut right = self.right[node];
-            for behind in 1..=self.reach(node, last) {
+            for behind in 1..=self.reach(node) {
                 right -= self.above[node][behind - 1] * x[node + behind];
             }
             x[node] = self.diagonal[node] * right;
         }
     }
 
-    /// Returns the number of nodes behind a node, before the last one, on which it acts.
-    fn reach(&self, node: usize, last: usize) -> usize {
+    /// Returns the number of moving nodes behind a node on which it acts.
+    fn reach(&self, node: usize) -> usize {
         let reach = if self.bends || node.is_multiple_of(2) { 2 } else { 1 };
-        reach.min(last - 1 - node)
+        reach.min(self.moving.end - 1 - node)
     }
 
     /// Eliminates a node.
-    fn eliminate(&mut self, node: usize, last: usize) {
+    fn eliminate(&mut self, node: usize) {
         let inverse = self.diagonal[node].inverse();
-        let (reach, [near, far]) = (self.reach(node, last), self.above[node]);
+        let (reach, [near, far]) = (self.reach(node), self.above[node]);
         for behind in 1..=reach {
             let factor = self.below[node][behind - 1] * inverse;
             self.below[node][behind - 1] = factor;
@@ -161,9 +165,10 @@ mod tests {
 
     #[test]
     fn the_solution_fulfils_the_equations() {
-        for (elements, bends) in [1, 2, 3, 7].into_iter().flat_map(|elements| [(elements, false), (elements, true)]) {
+        let all = |elements| [(elements, false, 1), (elements, true, 1), (elements, false, 0), (elements, true, 0)];
+        for (elements, bends, held) in [1, 2, 3, 7].into_iter().flat_map(all) {
             let count = 2 * elements + 1;
-            let mut a = Blocks::new(count, bends);
+            let mut a = Blocks::new(count, 1..count - held, bends);
             let number = |k: usize| libm::sin(1.0 + 3.7 * k as f64);
             let firsts = if bends { 1 } else { 2 };
             for first in (0..count - 2).step_by(firsts) {
@@ -179,9 +184,9 @@ mod tests {
             let given = a.clone();
             a.factor();
             a.solve(&mut x);
-            for (node, product) in times(&given, &x).iter().enumerate().take(count - 1).skip(1) {
+            for (node, product) in times(&given, &x).iter().enumerate().take(count - held).skip(1) {
                 // A few units in the last place of the largest products, about 100.
-                assert!((*product - given.right[node]).norm() < 1e-12, "{elements} {bends} {node}");
+                assert!((*product - given.right[node]).norm() < 1e-12, "{elements} {bends} {held} {node}");
             }
         }
     }

@@ -21,6 +21,10 @@ pub struct DynamicLine<S = f64> {
     pub first: Option<Pin<S>>,
     /// The other end: an anchor in the `world`, or a point of another body.
     pub second: Option<Pin<S>>,
+    /// Whether the second end is free, instead of `second`. The line begins at rest straight down, or up if it floats, as far as the
+    /// seabed or the surface, and beyond along x.
+    #[serde(default)]
+    pub second_free: bool,
     /// Direction in which it leaves the first end, in the axes of that body: the end is clamped, with bending stiffness in the
     /// first section. Without it, the line turns freely there.
     pub first_direction: Option<Direction<S>>,
@@ -78,7 +82,7 @@ pub struct DynamicLineSection<S = f64> {
     /// Drag coefficient of the flow along the line, with the area of pi times diameter times length.
     #[serde(default)]
     pub drag_along: NonNegative<S>,
-    /// A clump weight or a buoy at its end towards the second end of the line.
+    /// A clump weight or a buoy at its end towards the second end of the line; in the last section only with a free end.
     pub clump_weight: Option<LineClumpWeight<S>>,
 }
 

@@ -6,6 +6,7 @@ use super::section::{ClumpWeight, LineSection, WetPart};
 use crate::elements::Context;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
+use core::ops::Range;
 
 /// A part of a line with the same properties along it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,6 +72,8 @@ pub struct LineMesh<S> {
     pub nodes: Vec<LineMeshNode<S>>,
     /// Its bends, if it has bending stiffness.
     pub bends: Vec<Bend<S>>,
+    /// Whether the last node moves freely, too.
+    pub free_end: bool,
     /// Length of the line, m.
     pub length: S,
     /// Number of elements of the first part, whose length changes as it is paid out; 0 if none does.
@@ -108,6 +111,7 @@ impl<S: Scalar> LineMesh<S> {
             elements,
             nodes,
             bends: Vec::new(),
+            free_end: false,
             length: first + others,
             supplied: 0,
             first,
@@ -115,6 +119,16 @@ impl<S: Scalar> LineMesh<S> {
             beyond: None,
         };
         mesh.clamped([false; 2])
+    }
+
+    /// Lets the last node move freely.
+    pub fn ending_free(self) -> Self {
+        Self { free_end: true, ..self }
+    }
+
+    /// Returns the nodes that move by themselves: those that are not at an end on a body or in the world.
+    pub fn moving(&self) -> Range<usize> {
+        1..self.nodes.len() - usize::from(!self.free_end)
     }
 
     /// Clamps some of its ends, if it has bending stiffness.

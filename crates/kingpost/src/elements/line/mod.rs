@@ -11,8 +11,8 @@ mod along;
 pub(crate) mod assembly;
 mod bend;
 mod blocks;
-mod clamp;
 mod descent;
+mod ends;
 mod feed;
 pub(crate) mod fields;
 mod ground;
@@ -33,7 +33,7 @@ pub use mesh::LinePart;
 pub use section::{ClumpWeight, LineSection};
 pub use supply::LineSupply;
 
-use super::lines::{declaration_of_line, place, pull_at, shares, velocity};
+use super::lines::{declaration_of_line, pull_at, shares, velocity};
 use super::ropes::{Drum, RopePath, Station};
 use super::{
     Advancing, Context, Crossing, Declaration, Element, ElementState, EvaluationMode, Event, Output, RandomDrag,
@@ -42,16 +42,16 @@ use super::{
 use crate::dynamics::Loads;
 use crate::model::Attachment;
 use crate::scalar::Scalar;
-use crate::spatial::{Frame, Matrix3, SpatialInertia, Symmetric3, Vector3};
+use crate::spatial::Vector3;
 use along::outputs_along;
 use bend::LineEnds;
 use mesh::LineMesh;
-use nodes::{LineNode, Nodes};
+use nodes::Nodes;
 use statics::LineStatics;
 use step::LineStep;
 use supply::Supplied;
 
-/// A line with inertia between two points on bodies or in the world.
+/// A line with inertia between two points on bodies or in the world, or from one of them to a free end.
 ///
 /// Its states are positions and velocities of the nodes between its ends, in the world. The nodes at its ends move with
 /// the bodies, which get the forces of the line there, and its mass there as an added inertia.
@@ -143,6 +143,11 @@ impl<S: Scalar> DynamicLine<S> {
         }
     }
 
+    /// Creates a line of these parts whose second end is free, from its first end; `nowhere` is a place in the world.
+    pub fn ending_free(name: &str, first: Attachment<S>, nowhere: Attachment<S>, parts: &[LinePart<S>]) -> Self {
+        Self::with_mesh(name, [first, nowhere], LineMesh::new(parts).ending_free())
+    }
+
     /// Gives the line other elements and nodes.
     fn on_mesh(self, mesh: LineMesh<S>) -> Self {
         let (nodes, statics, step) = (Nodes::new(&mesh), LineStatics::new(&mesh), LineStep::new(&mesh));
@@ -177,11 +182,6 @@ impl<S: Scalar> DynamicLine<S> {
     /// Returns its path and drum, if it runs over them.
     pub fn over_sheaves(&self) -> Option<(&RopePath<S>, Option<Drum<S>>)> {
         self.supply.as_ref().map(|supply| (&supply.whole, supply.drum))
-    }
-
-    /// Returns the fields of its ends.
-    pub fn end_fields(&self) -> [&'static str; 2] {
-        if self.supply.is_some() { ["path"; 2] } else { ["first", "second"] }
     }
 
     /// Lets the line lie on a ground.
@@ -234,7 +234,7 @@ impl<S: Scalar> DynamicLine<S> {
         let supplied = self.supply(at);
         let LineEnds { places, directions } = self.ends_now(at);
         self.nodes.directions = directions;
-        for ((end, place), node) in self.ends.iter().zip(places).zip(self.end_nodes()) {
+        for ((end, place), node) in self.ends.iter().zip(places).zip(self.held_nodes()) {
             self.nodes.put(node, place, velocity(end, at));
         }
         let (positions, velocities) = states[..self.motions()].split_at(self.motions() / 2);
@@ -277,31 +277,9 @@ impl<S: Scalar> DynamicLine<S> {
         RestingLine { ends, strain: self.nodes.largest_strain(&self.mesh) }
     }
 
-    /// Returns positions and directions of its ends.
-    fn ends_now(&self, at: &Context<'_, S>) -> LineEnds<S> {
-        let places = [0, 1].map(|end| place(&self.ends[end], at.model, at.links));
-        LineEnds { places, directions: self.directions(at) }
-    }
-
-    /// Returns the indices of the nodes at its ends.
-    fn end_nodes(&self) -> [usize; 2] {
-        [0, self.nodes.len() - 1]
-    }
-
     /// Returns the number of states that are positions and velocities.
     fn motions(&self) -> usize {
-        6 * (self.nodes.len() - 2)
-    }
-
-    /// Adds force and inertia of the line at an end, with its node, to its body.
-    fn pull(&self, end: &Attachment<S>, node: &LineNode<S>, at: &Context<'_, S>, loads: &mut Loads<S>) {
-        let Some(body) = end.body else { return };
-        pull_at(end, node.force, at, loads);
-        let tangent = at.links.to_body_axes(at.model, body, node.tangent);
-        let across = Symmetric3::diagonal([node.mass.across; 3]);
-        let linear = across.minus_outer(tangent, node.mass.across - node.mass.along);
-        let inertia = SpatialInertia { angular: Symmetric3::default(), coupling: Matrix3::zero(), linear };
-        loads.added_inertia.push((body, inertia.to_parent(&Frame::translation(end.in_body.position))));
+        6 * self.mesh.moving().len()
     }
 }
 
@@ -314,7 +292,7 @@ impl<S: Scalar> Element<S> for DynamicLine<S> {
         let of = |what: &str, unit: &'static str| {
             let name = |k: usize, axis: &str| format!("node_{}.{what}.{axis}", k + 1);
             let axes = |k: usize| ["x", "y", "z"].map(|axis| StateDeclaration::new(name(k, axis), unit));
-            (0..self.nodes.len() - 2).flat_map(axes).collect::<Vec<_>>()
+            (0..self.mesh.moving().len()).flat_map(axes).collect::<Vec<_>>()
         };
         let energies = ["work_on_ends", "energy_lost_to_scheme"].map(|name| StateDeclaration::memory(name, "J"));
         let by_rule = ["first", "second"].map(|end| {
@@ -342,7 +320,7 @@ impl<S: Scalar> Element<S> for DynamicLine<S> {
             return start.iter().zip(positions.chunks_exact_mut(3)).for_each(|(place, state)| place.write_to(state));
         }
         let supplied = self.rest(at);
-        let [first, last] = [0, 1].map(|end| velocity(&self.ends[end], at));
+        let [first, last] = [0, 1].map(|end| velocity(&self.ends[if self.mesh.free_end { 0 } else { end }], at));
         let first = first - self.nodes.feed().drift(0) * supplied.map_or(S::ZERO, |now| now.rate);
         let parts = (self.nodes.len() - 1) as f64;
         for (k, (x, v)) in positions.chunks_exact_mut(3).zip(velocities.chunks_exact_mut(3)).enumerate() {
@@ -363,7 +341,7 @@ impl<S: Scalar> Element<S> for DynamicLine<S> {
         }
         loads.power.dissipated += self.nodes.dissipated;
         loads.power.outside += self.nodes.outside;
-        for (end, node) in self.ends.iter().zip(self.end_nodes()) {
+        for (end, node) in self.ends.iter().zip(self.held_nodes()) {
             self.pull(end, self.nodes.node(node), at, loads);
         }
         self.turn(at, loads);

@@ -225,7 +225,7 @@ impl<S: Scalar> Nodes<S> {
             let wet = part.in_water(at, position, tangent);
             let (support, heat, _) = self.on_ground(i, mesh, ground);
             self.put_loads(i, part.dry_mass(), &wet, S::ZERO, (support, heat), at);
-            if i == 0 || i == last {
+            if !mesh.moving().contains(&i) {
                 continue;
             }
             let node = &mut self.nodes[i];
@@ -250,13 +250,14 @@ impl<S: Scalar> Nodes<S> {
         let last = self.nodes.len() - 1;
         (0..=last).fold(self.strain, |sum, i| {
             let (node, mass) = (&self.nodes[i], mesh.nodes[i].dry_mass());
-            let moves = if i == 0 || i == last { S::ZERO } else { node.velocity.norm_squared() * S::constant(0.5) };
+            let moves =
+                if mesh.moving().contains(&i) { node.velocity.norm_squared() * S::constant(0.5) } else { S::ZERO };
             sum + mass * (at.world.gravity * node.position[2] + moves) + self.on_ground(i, mesh, ground).2
         })
     }
 
     /// Returns the tensions at the ends, N: the reactions of the bodies, with the accelerations of the ends extrapolated from
-    /// the nodes beside them.
+    /// the nodes beside them; zero at a free end.
     pub fn end_tensions(&self, mesh: &LineMesh<S>) -> [S; 2] {
         let last = self.nodes.len() - 1;
         let at_end = |end: usize, [near, far]: [usize; 2], outward: f64| {
@@ -266,7 +267,8 @@ impl<S: Scalar> Nodes<S> {
             mesh.nodes[end].section.possible((inertia - tangent.dot(force)) * S::constant(outward))
         };
         // A line of one element has one node between its ends.
-        [at_end(0, [1, 2.min(last - 1)], -1.0), at_end(last, [last - 1, (last - 2).max(1)], 1.0)]
+        let of_first = at_end(0, [1, 2.min(last - 1)], -1.0);
+        [of_first, if mesh.free_end { S::ZERO } else { at_end(last, [last - 1, (last - 2).max(1)], 1.0) }]
     }
 
     /// Returns the largest strain by the elastic tension; NaN if a tension is NaN.

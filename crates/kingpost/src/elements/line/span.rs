@@ -174,15 +174,15 @@ impl<S: Scalar> LineSpan<S> {
     }
 
     /// Sets the first guess: along the way to the last point of this step, or with the velocities at the base.
-    pub fn predict(&mut self, interval_s: f64, [first, last]: [Vector3<S>; 2]) {
+    pub fn predict(&mut self, interval_s: f64, [first, last]: [Vector3<S>; 2], moving_end: usize) {
         let [_, _, before_s] = self.clock;
         let (ratio, interval) = (S::constant(interval_s / before_s), S::constant(interval_s));
         for (base, next) in self.base.iter().zip(&mut self.next) {
             let way = if before_s > 0.0 { (*next - base.position) * ratio } else { base.velocity * interval };
             *next = base.position + way;
         }
-        let end = self.next.len() - 1;
-        (self.next[0], self.next[end], self.clock[2]) = (first, last, interval_s);
+        (self.next[0], self.clock[2]) = (first, interval_s);
+        self.next[moving_end..].fill(last);
     }
 
     /// Returns the number of points of Gauss's rule.
@@ -210,7 +210,7 @@ impl<S: Scalar> LineSpan<S> {
         for bend in &mesh.bends {
             energy += bend.energy(bend.curvature(|node| motion(node)[0], directions));
         }
-        for i in 1..self.base.len() - 1 {
+        for i in mesh.moving() {
             let ([position, velocity], part) = (motion(i), &mesh.nodes[i]);
             energy += part.dry_mass() * (gravity * position[2] + velocity.norm_squared() * half);
             if let Some(ground) = ground {
@@ -318,7 +318,7 @@ impl<S: Scalar> LineSpan<S> {
             blocks.add_at::<MATRIX>(bend.first, &bend.weights, &along, -((*before + after) * stiffness));
         }
         let (per_s, two) = (S::ONE / interval, S::constant(2.0));
-        for i in 1..self.base.len() - 1 {
+        for i in mesh.moving() {
             let NodeLoads { force, slope, rise, .. } = self.loads(i, ground, interval);
             self.rises[self.stretched.len() + i] = rise;
             let inertia = self.base[i].mass.scaled(two * per_s * per_s);

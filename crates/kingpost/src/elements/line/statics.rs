@@ -6,12 +6,14 @@ use super::descent::Descent;
 use super::ground::LineGround;
 use super::mesh::{LineMesh, LineMeshElement};
 use super::nodes::tangents;
+use super::one_sided::positive;
 use super::section::WetPart;
 use super::strain::{gauss, slopes, strained};
 use crate::elements::Context;
 use crate::elements::lines::{Catenary, Span, length_and_direction};
 use crate::scalar::Scalar;
 use crate::spatial::{Matrix3, Vector3};
+use crate::world::CurrentAt;
 use core::f64::consts::FRAC_PI_4;
 
 /// Last move of a node, as a share of the length of the line, at which Newton's method has converged: its square is below
@@ -24,6 +26,9 @@ const LONGEST_MOVE: f64 = 0.5;
 /// Stiffness that holds a node where it is, over its weight per length of the line: a line that lies slack on the ground has
 /// no other along the ground. It slows the convergence of the softest motions by about this share.
 const HOLD: f64 = 1e-4;
+/// Strain below which a point is slack: rounding. The weight of its element over the length of the line holds its nodes, so that
+/// rounding does not move a part that lies slack.
+const SLACK: f64 = 1e-12;
 /// Share of EA that holds the nodes of a line without weight.
 const LIGHT: f64 = 1e-12;
 /// Horizontal distance between the ends of the catenary, as a share of the length, at least.
@@ -47,7 +52,7 @@ impl<S: Scalar> LineStatics<S> {
     pub fn new(mesh: &LineMesh<S>) -> Self {
         let count = mesh.nodes.len();
         let zero = vec![Vector3::zero(); count];
-        let (blocks, descent) = (Blocks::new(count, !mesh.bends.is_empty()), Descent::new(count));
+        let (blocks, descent) = (Blocks::new(count, mesh.moving(), !mesh.bends.is_empty()), Descent::new(count));
         Self { positions: zero.clone(), tangents: zero, blocks, descent, found: false }
     }
 
@@ -61,12 +66,15 @@ impl<S: Scalar> LineStatics<S> {
         at: &Context<'_, S>,
     ) -> &[Vector3<S>] {
         if !self.found {
-            lay(mesh, ground, *places, at, &mut self.positions);
+            match mesh.free_end {
+                true => drop(mesh, ground, places[0], at, &mut self.positions),
+                false => lay(mesh, ground, *places, at, &mut self.positions),
+            }
         }
         let plain = |x: S| S::from_values([x], &|x| x)[0];
-        let last = self.positions.len() - 1;
         self.positions.iter_mut().for_each(|place| *place = Vector3(place.0.map(plain)));
-        (self.positions[0], self.positions[last]) = (places[0], places[1]);
+        self.positions[0] = places[0];
+        self.positions[mesh.moving().end..].fill(places[1]);
         let (limit, longest) = (mesh.length * S::constant(CONVERGED), mesh.shortest() * S::constant(LONGEST_MOVE));
         let mut more = if S::HAS_DERIVATIVES { FOR_DERIVATIVES } else { 0 };
         self.found = false;
@@ -92,6 +100,35 @@ impl<S: Scalar> LineStatics<S> {
         &self.positions
     }
 
+    /// Adds tension and bending to the equations.
+    fn assemble_line(&mut self, mesh: &LineMesh<S>, directions: &[Vector3<S>; 2], gravity: S) {
+        let still = [Vector3::zero(); 3];
+        for k in 0..self.positions.len() - 1 {
+            let LineMeshElement { length, section } = &mesh.elements[k / 2];
+            let half = *length * S::constant(0.5);
+            let slopes = slopes(gauss(k), *length);
+            let places = [0, 1, 2].map(|i| self.positions[k / 2 * 2 + i]);
+            let found = strained(section, &slopes, &places, &still);
+            let ([tension, _], [ratio, _], tangent) = (found.tension, found.ratio, found.tangent);
+            let stiff = section.axial_stiffness;
+            let rise = section.rise(tension.select_less(stiff * S::constant(SLACK), || S::ZERO, || stiff));
+            let along = Matrix3::outer(tangent, tangent);
+            let across = tension.select_below(f64::MIN_POSITIVE, || S::ZERO, || tension / ratio);
+            let stiffness = along.scaled(rise) + (Matrix3::identity() - along).scaled(across);
+            let weight = section.mass_per_length * *length * gravity;
+            let held = rise.select_below(f64::MIN_POSITIVE, || weight / mesh.length, || S::ZERO);
+            for node in k / 2 * 2..k / 2 * 2 + 3 {
+                self.blocks.add::<true>(node, Matrix3::identity().scaled(held), Vector3::zero());
+            }
+            self.blocks.add_at::<true>(k / 2 * 2, &slopes, &stiffness.scaled(half), -(tangent * (tension * half)));
+        }
+        for bend in &mesh.bends {
+            let curvature = bend.curvature(|node| self.positions[node], directions);
+            let stiffness = Matrix3::identity().scaled(bend.stiffness);
+            self.blocks.add_at::<true>(bend.first, &bend.weights, &stiffness, -(curvature * bend.stiffness));
+        }
+    }
+
     /// Writes the equations of Newton's method.
     fn assemble(
         &mut self,
@@ -102,33 +139,15 @@ impl<S: Scalar> LineStatics<S> {
     ) {
         self.blocks.clear::<true>();
         tangents(&self.positions, &mut self.tangents);
-        let still = [Vector3::zero(); 3];
-        for k in 0..self.positions.len() - 1 {
-            let LineMeshElement { length, section } = &mesh.elements[k / 2];
-            let half = *length * S::constant(0.5);
-            let slopes = slopes(gauss(k), *length);
-            let places = [0, 1, 2].map(|i| self.positions[k / 2 * 2 + i]);
-            let found = strained(section, &slopes, &places, &still);
-            let ([tension, _], [ratio, _], tangent) = (found.tension, found.ratio, found.tangent);
-            let stiff = section.axial_stiffness;
-            let rise = section.rise(tension.select_below(f64::MIN_POSITIVE, || S::ZERO, || stiff));
-            let along = Matrix3::outer(tangent, tangent);
-            let across = tension.select_below(f64::MIN_POSITIVE, || S::ZERO, || tension / ratio);
-            let stiffness = along.scaled(rise) + (Matrix3::identity() - along).scaled(across);
-            self.blocks.add_at::<true>(k / 2 * 2, &slopes, &stiffness.scaled(half), -(tangent * (tension * half)));
-        }
-        for bend in &mesh.bends {
-            let curvature = bend.curvature(|node| self.positions[node], directions);
-            let stiffness = Matrix3::identity().scaled(bend.stiffness);
-            self.blocks.add_at::<true>(bend.first, &bend.weights, &stiffness, -(curvature * bend.stiffness));
-        }
-        for node in 1..self.positions.len() - 1 {
+        self.assemble_line(mesh, directions, at.world.gravity);
+        for node in mesh.moving() {
             let (place, part) = (self.positions[node], &mesh.nodes[node]);
             let wet = part.in_water(at, place, self.tangents[node]);
             let weight = part.dry_mass() * at.world.gravity;
             let hold = (weight + part.section.axial_stiffness * S::constant(LIGHT)) / mesh.length * S::constant(HOLD);
-            let way = self.positions[node + 1] - self.positions[node - 1];
-            self.blocks.turn(node, turning(&wet, way));
+            if let Some(next) = self.positions.get(node + 1) {
+                self.blocks.turn(node, turning(&wet, *next - self.positions[node - 1]));
+            }
             let mut force = wet.steady + wet.drag(Vector3::zero(), S::ZERO).force;
             force[2] -= weight;
             let mut stiffness = Matrix3::identity().scaled(hold);
@@ -151,6 +170,44 @@ fn turning<S: Scalar>(wet: &WetPart<S>, way: Vector3<S>) -> Matrix3<S> {
     let per_length = S::ONE / length.select_below(f64::MIN_POSITIVE, || S::ONE, || length);
     let across = Matrix3::identity() - Matrix3::outer(tangent, tangent);
     (wet.turning_drag() * across).scaled(-per_length)
+}
+
+/// Writes a first shape of a line with a free end: straight down from its first end, or up if it floats, as far as the seabed or
+/// the surface, and beyond along the current, or along x.
+fn drop<S: Scalar>(
+    mesh: &LineMesh<S>,
+    ground: Option<&LineGround<S>>,
+    first: Vector3<S>,
+    at: &Context<'_, S>,
+    nodes: &mut [Vector3<S>],
+) {
+    let own = mean_catenary(&mesh.elements, mesh.length, false, at);
+    let buoys = mesh.nodes.iter().filter_map(|node| node.clump);
+    let carried =
+        buoys.fold(S::ZERO, |sum, one| sum + (one.mass - one.volume * at.world.water_density) * at.world.gravity);
+    let sinks = own.weight * mesh.length + carried;
+    let size = |value: S| value.select_below(0.0, || -value, || value);
+    let (weight, carried, half) = (size(own.weight), size(carried), S::constant(0.5));
+    // The ground carries what lies on it.
+    let below =
+        ground.map_or(mesh.length, |ground| positive(first[2] + ground.depth) + weight / ground.stiffness_per_length);
+    let room = sinks.select_below(0.0, || positive(-first[2]), || below);
+    let hangs = mesh.length.select_less(room, || mesh.length, || room);
+    let end_load = mesh.length.select_less(room, || carried, || S::ZERO);
+    let sign = sinks.select_below(0.0, || S::ONE, || -S::ONE);
+    let along_current = at.world.current_at(&CurrentAt::Depth(positive(room - first[2])));
+    let flows = along_current.norm_squared();
+    let aside =
+        if flows.all(|square| square > 0.0) { along_current.direction() } else { Vector3::constant([1.0, 0.0, 0.0]) };
+    let mut along = S::ZERO;
+    for (k, node) in nodes.iter_mut().enumerate() {
+        let hanging = along.select_less(hangs, || along, || hangs);
+        let stretch =
+            (weight * (hangs * hanging - hanging * hanging * half) + end_load * hanging) / own.axial_stiffness;
+        let down = (hanging + stretch).select_less(room, || hanging + stretch, || room);
+        *node = first + aside * (along - hanging) + Vector3::new(S::ZERO, S::ZERO, sign * down);
+        along += mesh.elements.get(k / 2).map_or(S::ZERO, |element| element.length * half);
+    }
 }
 
 /// Writes a first shape of a line: catenaries between its ends and its buoys, each buoy as high as its parts of the line reach,

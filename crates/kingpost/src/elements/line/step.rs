@@ -77,7 +77,7 @@ impl<S: Scalar> LineStep<S> {
     /// Allocates the memory for the nodes of a mesh.
     pub fn new(mesh: &LineMesh<S>) -> Self {
         let count = mesh.nodes.len();
-        let blocks = Blocks::new(count, !mesh.bends.is_empty());
+        let blocks = Blocks::new(count, mesh.moving(), !mesh.bends.is_empty());
         Self {
             rises: vec![S::ZERO; 2 * count - 1],
             span: LineSpan::new(mesh),
@@ -128,7 +128,7 @@ impl<S: Scalar> LineStep<S> {
         let Self { span, first: (first, interval_s), rises, further, descent, .. } = self;
         span.paid[1] = mesh.first() - span.paid[0];
         span.directions = *directions;
-        span.predict(time_s - span.clock[0], *places);
+        span.predict(time_s - span.clock[0], *places, mesh.moving().end);
         let [with_new, with_old, longest] =
             [CONVERGED, CONVERGED_WITH_OLD, LONGEST_MOVE].map(|share| mesh.shortest() * S::constant(share));
         descent.begin();
@@ -168,7 +168,7 @@ impl<S: Scalar> LineStep<S> {
         for k in 0..span.points() {
             booked.dissipated += span.heat_of_damping(k, mesh);
         }
-        for i in 1..span.base.len() - 1 {
+        for i in mesh.moving() {
             let NodeLoads { water, heat: [of_drag, of_ground], .. } = span.loads(i, ground, interval);
             let mut acceleration = (span.velocity(i) - span.base[i].velocity) * (S::ONE / interval);
             if i < span.drifts.len() {
