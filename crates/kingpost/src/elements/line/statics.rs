@@ -26,8 +26,8 @@ const LONGEST_MOVE: f64 = 0.5;
 /// Stiffness that holds a node where it is, over its weight per length of the line: a line that lies slack on the ground has
 /// no other along the ground. It slows the convergence of the softest motions by about this share.
 const HOLD: f64 = 1e-4;
-/// Strain below which a point is slack: rounding. The weight of its element over the length of the line holds its nodes, so that
-/// rounding does not move a part that lies slack.
+/// Strain below which a point of a line with a free end is slack: rounding. The weight of its element over the length of the line
+/// holds its nodes, so that rounding does not move a part that lies slack, as far as the free end.
 const SLACK: f64 = 1e-12;
 /// Share of EA that holds the nodes of a line without weight.
 const LIGHT: f64 = 1e-12;
@@ -111,13 +111,14 @@ impl<S: Scalar> LineStatics<S> {
             let found = strained(section, &slopes, &places, &still);
             let ([tension, _], [ratio, _], tangent) = (found.tension, found.ratio, found.tangent);
             let stiff = section.axial_stiffness;
-            let rise = section.rise(tension.select_less(stiff * S::constant(SLACK), || S::ZERO, || stiff));
+            let least = if mesh.free_end { stiff * S::constant(SLACK) } else { S::constant(f64::MIN_POSITIVE) };
+            let rise = section.rise(tension.select_less(least, || S::ZERO, || stiff));
             let along = Matrix3::outer(tangent, tangent);
             let across = tension.select_below(f64::MIN_POSITIVE, || S::ZERO, || tension / ratio);
             let stiffness = along.scaled(rise) + (Matrix3::identity() - along).scaled(across);
             let weight = section.mass_per_length * *length * gravity;
             let held = rise.select_below(f64::MIN_POSITIVE, || weight / mesh.length, || S::ZERO);
-            for node in k / 2 * 2..k / 2 * 2 + 3 {
+            for node in (k / 2 * 2..k / 2 * 2 + 3).filter(|_| mesh.free_end) {
                 self.blocks.add::<true>(node, Matrix3::identity().scaled(held), Vector3::zero());
             }
             self.blocks.add_at::<true>(k / 2 * 2, &slopes, &stiffness.scaled(half), -(tangent * (tension * half)));
