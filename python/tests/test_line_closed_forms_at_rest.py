@@ -173,7 +173,7 @@ def test_a_chain_dragged_along_the_seabed_leaves_the_anchor_mu_w_l_less():
     for error, elements in zip(errors, (10, 20, 40), strict=True):
         # The seabed does not carry the sixth of an element at the moving end, which the body holds.
         assert error == pytest.approx(-1 / (6 * elements), rel=0.1)
-    # What is left without this first order is of second order, (1 / 20)^2 / 8.
+    # Without the first order an error of second order remains, (1 / 20)^2 / 8.
     assert abs(2 * errors[2] - errors[1]) < 3e-4
 
 

@@ -62,7 +62,7 @@ def test_the_oscillations_in_the_app_equal_those_of_the_package(name: str) -> No
         beside = np.abs(pairs.damped_period.values / mode["period_s"] - 1) < same
         assert beside.any(), mode
         assert np.abs(pairs.damping_ratio.values[beside] - mode["damping_ratio"]).min() < same, mode
-    # Of what moves bodies, and neither the water's memory, a controller nor a line, nothing is missing.
+    # No mode of bodies is missing: only those of the water's memory, a controller or a line.
     if simulation_has_controllers(expected):
         return
     is_missing = [

@@ -79,6 +79,11 @@ pub trait Scalar:
         arguments: [Self; N],
         function: &dyn Fn([f64; N]) -> [f64; M],
     ) -> [Self; M];
+    /// Returns the value without derivatives.
+    #[inline]
+    fn plain(self) -> Self {
+        Self::from_values([self], &|value| value)[0]
+    }
     /// Returns `below()` if `self < limit`, otherwise `above()`, also if `self` is NaN. A scalar with several
     /// lanes can evaluate both, so both must be free of side effects.
     fn select_less(self, limit: Self, below: impl FnOnce() -> Self, above: impl FnOnce() -> Self) -> Self;

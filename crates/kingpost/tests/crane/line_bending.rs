@@ -1,8 +1,7 @@
 //! Lines with bending stiffness: a beam's modes, the elastica, and the moments of clamped ends.
 
-use kingpost::analysis::Linearizer;
+use crate::line_dynamics::frequencies_of;
 use kingpost::integrate::Tolerances;
-use kingpost::plant::{Number, Plant};
 use kingpost::scenario::read;
 use kingpost::simulation::{SchemeName, Setup, Simulation};
 
@@ -34,21 +33,10 @@ fn plain(text: &str) -> Setup {
     read(text, "rod.yaml", &[]).expect("it reads").setup().expect("it builds")
 }
 
-/// Returns the frequencies of the rod at rest, rad/s, the lowest first.
-fn frequencies(text: &str) -> Vec<f64> {
-    let dual = read(text, "rod.yaml", &[]).expect("it reads").setup_over::<Number>().expect("it builds");
-    let simulation = Simulation::new(plain(text));
-    let found = Linearizer::of_plant(Plant::new(dual.model, dual.world, dual.elements)).at(&simulation);
-    let values = found.a.complex_eigenvalues();
-    let mut found: Vec<f64> = values.iter().map(|value| value.im).filter(|frequency| *frequency > 1e-3).collect();
-    found.sort_by(f64::total_cmp);
-    found
-}
-
 /// Asserts that the errors of the first three bending frequencies have second order. Each occurs in two planes.
 fn bends_with_frequencies(second: &str, roots: [f64; 3]) {
     let errors = [10, 20].map(|elements| {
-        let found = frequencies(&rod(elements, [LENGTH, 0.0], second, 1e9));
+        let found = frequencies_of(&rod(elements, [LENGTH, 0.0], second, 1e9));
         let unit = (EI / MASS_PER_LENGTH).sqrt() / (LENGTH * LENGTH);
         [0, 1, 2].map(|mode| (found[2 * mode] / (roots[mode] * roots[mode] * unit) - 1.0).abs())
     });

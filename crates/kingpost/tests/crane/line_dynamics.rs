@@ -100,6 +100,12 @@ impl Straight {
     }
 }
 
+/// Returns the frequencies of a scenario at its start, rad/s, the lowest first.
+pub fn frequencies_of(text: &str) -> Vec<f64> {
+    let Setup { model, world, elements, .. } = dual(text);
+    frequencies(&Linearizer::of_plant(Plant::new(model, world, elements)).at(&Simulation::new(plain(text))))
+}
+
 /// Returns the frequencies of the oscillations, rad/s, the lowest first.
 fn frequencies(found: &Linearization) -> Vec<f64> {
     let mut found: Vec<f64> =
@@ -109,7 +115,7 @@ fn frequencies(found: &Linearization) -> Vec<f64> {
 }
 
 /// Returns the relative distance from an expected frequency to the nearest one.
-fn error(found: &[f64], expected: f64) -> f64 {
+pub fn error(found: &[f64], expected: f64) -> f64 {
     found.iter().map(|frequency| (frequency / expected - 1.0).abs()).fold(f64::INFINITY, f64::min)
 }
 

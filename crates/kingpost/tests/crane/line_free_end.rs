@@ -1,7 +1,6 @@
 //! Lines with a free end: a hanging chain's modes, rest on the seabed and in a current, energy.
 
-use kingpost::analysis::Linearizer;
-use kingpost::plant::{Number, Plant};
+use crate::line_dynamics::{error, frequencies_of};
 use kingpost::scenario::read;
 use kingpost::simulation::{Setup, Simulation};
 
@@ -47,14 +46,9 @@ fn a_hanging_chain_swings_with_the_frequencies_of_bessel() {
     // omega = j_0k / 2 sqrt(g / L) with the zeros of J_0 (Lamb, Hydrodynamics, 1932, sec. 193).
     let errors = [8, 16].map(|elements| {
         let text = chain(20.0, elements, "{fixed: {}}", "", "") + DRY;
-        let dual = read(&text, "chain.yaml", &[]).expect("it reads").setup_over::<Number>().expect("it builds");
-        let simulation = Simulation::new(setup(&text));
-        let found = Linearizer::of_plant(Plant::new(dual.model, dual.world, dual.elements)).at(&simulation);
-        let found: Vec<f64> = found.a.complex_eigenvalues().iter().map(|value| value.im).collect();
-        [2.404_825_557_7, 5.520_078_110_3, 8.653_727_912_9].map(|zero| {
-            let expected = 0.5 * zero * (G / 20.0_f64).sqrt();
-            found.iter().map(|frequency| (frequency / expected - 1.0).abs()).fold(f64::INFINITY, f64::min)
-        })
+        let found = frequencies_of(&text);
+        [2.404_825_557_7, 5.520_078_110_3, 8.653_727_912_9]
+            .map(|zero| error(&found, 0.5 * zero * (G / 20.0_f64).sqrt()))
     });
     for (mode, (coarse, fine)) in errors[0].iter().zip(&errors[1]).enumerate() {
         // The tension vanishes at the end, where half waves are short: between second and fourth order. The stretch of the chain

@@ -50,8 +50,8 @@ impl<S: Scalar> Advancing<S> for DynamicLine<S> {
     }
 
     /// Writes the velocities of the ends by the implicit rule, with which the rate of strain at the ends is that of the nodes
-    /// beside them. Returns heat and work of the water, J. The heat contains the energy that the scheme loses: the ends get the work of
-    /// the tension by the scheme of the bodies, the line gives it by its implicit rule.
+    /// beside them. Returns heat and work of the water, J. The heat contains the energy that the scheme loses: the ends get the
+    /// work of the tension by the scheme of the bodies, the line gives it by its implicit rule.
     fn end_step(&mut self, at: &Context<'_, S>, states: &mut [S]) -> [S; 2] {
         let gravity = at.world.gravity;
         let Booked { dissipated, outside, on_ends } = self.step.booked(&self.mesh, self.ground.as_ref(), gravity);

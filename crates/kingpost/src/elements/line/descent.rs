@@ -86,7 +86,7 @@ impl<S: Scalar> Descent<S> {
     pub fn differentiate(&mut self, blocks: &mut Blocks<S>, nodes: &mut [Vector3<S>]) {
         blocks.solve(&mut self.newton);
         for (node, newton) in nodes.iter_mut().zip(&self.newton) {
-            *node += Vector3(newton.0.map(|move_m| move_m - S::from_values([move_m], &|value| value)[0]));
+            *node += Vector3(newton.0.map(|move_m| move_m - move_m.plain()));
         }
     }
 

@@ -72,7 +72,7 @@ pub struct LineMesh<S> {
     pub nodes: Vec<LineMeshNode<S>>,
     /// Its bends, if it has bending stiffness.
     pub bends: Vec<Bend<S>>,
-    /// Whether the last node moves freely, too.
+    /// Whether the second end is free.
     pub free_end: bool,
     /// Length of the line, m.
     pub length: S,

@@ -73,7 +73,7 @@ pub struct DynamicLine<S = f64> {
     supply: Option<LineSupply<S>>,
     /// Positions of the nodes between the ends at the start, world, m, if it does not begin at rest.
     pub start: Option<Vec<Vector3<S>>>,
-    /// Whether its nodes move by its states about rest, too: in natural modes and in a linear response to a random sea.
+    /// Whether its nodes move by its states about rest: in natural modes and in a linear response to a random sea.
     responds: bool,
     /// Number of points along it at which the results have its tension: 0, or 2 and more.
     pub points_along: usize,

@@ -71,8 +71,7 @@ impl<S: Scalar> LineStatics<S> {
                 false => lay(mesh, ground, *places, at, &mut self.positions),
             }
         }
-        let plain = |x: S| S::from_values([x], &|x| x)[0];
-        self.positions.iter_mut().for_each(|place| *place = Vector3(place.0.map(plain)));
+        self.positions.iter_mut().for_each(|place| *place = Vector3(place.0.map(S::plain)));
         self.positions[0] = places[0];
         self.positions[mesh.moving().end..].fill(places[1]);
         let (limit, longest) = (mesh.length * S::constant(CONVERGED), mesh.shortest() * S::constant(LONGEST_MOVE));

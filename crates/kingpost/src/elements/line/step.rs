@@ -14,9 +14,9 @@
 //!
 //! Newton's method solves for `x_1`. The matrix of its first iteration serves for the next two, and for the first three at
 //! another point at the same time, as Kutta's scheme has two of each: their error falls by the change of the matrix, about as
-//! much as the first move is smaller than an element, and more slowly where friction begins. Where the line became slack or left the ground since, such a
-//! move can be much too short, and does not end the search. Each further iteration has a matrix of its own. Derivatives follow
-//! by the matrix at the solution (implicit function theorem).
+//! much as the first move is smaller than an element, and more slowly where friction begins. Where the line became slack or
+//! left the ground since, such a move can be much too short, and does not end the search. Each further iteration computes its
+//! matrix. Derivatives follow by the matrix at the solution (implicit function theorem).
 
 use super::bend::LineEnds;
 use super::blocks::Blocks;

@@ -194,8 +194,7 @@ impl RaoTable {
         };
         let found: [S; 26] = S::from_values([direction_rad], &between);
         // The share has its present value, and its derivative with respect to the direction.
-        let [there] = S::from_values([direction_rad], &|direction| direction);
-        let share = found[0] + (direction_rad - there) / found[1];
+        let share = found[0] + (direction_rad - direction_rad.plain()) / found[1];
         core::array::from_fn(|mode| {
             core::array::from_fn(|part| {
                 let [before, after] = [0, 1].map(|end| found[2 + 12 * end + 2 * mode + part]);
