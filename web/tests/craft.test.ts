@@ -72,7 +72,7 @@ describe.each(gallery)("attachments of lines, tubes and links of %s", async (nam
     const pins = run.lines.filter(({ points }) => points === 1);
     const points = start.line_points;
     const last = (line: DrawnLine) => 3 * run.lines.slice(0, run.lines.indexOf(line) + 1).reduce((sum, one) => sum + one.points, 0) - 1;
-    const onSeabed = lines.filter((line) => line.seabed_m !== null && points[last(line)] < line.seabed_m + ROUNDING_M).length;
+    const onSeabed = lines.filter((line) => line.seabed !== null && points[last(line)] < line.seabed.height_m + ROUNDING_M).length;
     const links = rolesOf(run.model).filter((role) => role === "link").length;
     expect(anchors.length).toBe(2 * lines.length - onSeabed + pins.length + 2 * links + 2 * run.model.loops.length);
   });

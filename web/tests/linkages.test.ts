@@ -61,10 +61,10 @@ function spans(line: Group): [Vector3, Vector3][] {
 }
 
 const TELESCOPE: DrawnLine[] = [
-  { name: "luffing", style: "barrel", radius_m: 0.07, points: 2, seabed_m: null },
-  { name: "luffing", style: "rod", radius_m: 0.04, points: 2, seabed_m: null },
-  { name: "luffing", style: "pin", radius_m: 0.08, points: 1, seabed_m: null },
-  { name: "bow", style: "line", radius_m: 0, points: 3, seabed_m: null },
+  { name: "luffing", style: "barrel", radius_m: 0.07, points: 2, seabed: null },
+  { name: "luffing", style: "rod", radius_m: 0.04, points: 2, seabed: null },
+  { name: "luffing", style: "pin", radius_m: 0.08, points: 1, seabed: null },
+  { name: "bow", style: "line", radius_m: 0, points: 3, seabed: null },
 ];
 
 it("tubes, pins and ropes are placed at the engine's points", () => {

@@ -5,9 +5,9 @@ import { Tensions } from "../src/view/tension";
 import { channelOf } from "./fake";
 
 const LINES: DrawnLine[] = [
-  { name: "rope", style: "line", radius_m: 0, points: 2, seabed_m: null },
-  { name: "bow", style: "line", radius_m: 0, points: 5, seabed_m: -60 },
-  { name: "stern", style: "line", radius_m: 0, points: 3, seabed_m: null },
+  { name: "rope", style: "line", radius_m: 0, points: 2, seabed: null },
+  { name: "bow", style: "line", radius_m: 0, points: 5, seabed: { height_m: -60, gradient: [0, 0] } },
+  { name: "stern", style: "line", radius_m: 0, points: 3, seabed: null },
 ];
 const points = ["bow.point_1", "bow.point_2", "bow.point_3", "stern.point_1", "stern.point_2"];
 const along = { lines: ["bow", "bow", "bow", "stern", "stern"], shares: [0, 0.5, 1, 0, 1], length: "line_length" };

@@ -7,6 +7,7 @@ import type {
   CylinderShape,
   Description,
   DrawnLine,
+  DrawnSeabed,
   HullDescription,
   Input,
   LimitDescription,
@@ -24,7 +25,7 @@ import { parsed } from "./answers";
 import type { Resolved } from "./answers";
 import { faultOfBreakdown } from "./faults";
 
-export type { Channel, DrawnLine, Warning };
+export type { Channel, DrawnLine, DrawnSeabed, Warning };
 export type { Equations };
 export type Hydrostatics = HydrostaticReport;
 export type InputInfo = Input;

@@ -701,9 +701,25 @@ export interface DrawnLine {
    */
   points: number;
   /**
-   * Height of the level seabed on which it can lie, world z, m; absent if there is none.
+   * The seabed on which it can lie; absent if there is none.
    */
-  seabed_m: number | null;
+  seabed: DrawnSeabed | null;
+}
+/**
+ * A plane seabed under a drawn line.
+ */
+export interface DrawnSeabed {
+  /**
+   * Height at the origin of the world, world z, m.
+   */
+  height_m: number;
+  /**
+   * Gradient of the height along x and y.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  gradient: [number, number];
 }
 /**
  * A value that a user or a controller sets, constant over each step.

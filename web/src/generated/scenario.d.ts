@@ -2592,6 +2592,43 @@ export type LineClumpWeight = {
   added_mass?: number;
 };
 /**
+ * The seabed under a line.
+ */
+export type LineSeabed = {
+  /**
+   * Its depth below the still waterline at the origin of the world, m; without it, that of the sea.
+   */
+  depth_m?: number | null;
+  /**
+   * Its slope, rad: up to 60 degrees. A run begins with the line at rest without friction, also on a slope.
+   */
+  slope_rad?: number;
+  /**
+   * The same as `slope_rad`, in the unit of this name.
+   */
+  slope_deg?: number;
+  /**
+   * Horizontal direction in which it falls, rad, from x towards y.
+   */
+  slope_direction_rad?: number;
+  /**
+   * The same as `slope_direction_rad`, in the unit of this name.
+   */
+  slope_direction_deg?: number;
+  /**
+   * Coefficient of Coulomb friction, along and across the line.
+   */
+  friction: number;
+  /**
+   * Pressure per depth of penetration, N/m^3: the force per length is this times the diameter times the depth.
+   */
+  stiffness_N_per_m3?: number;
+  /**
+   * Damping over stiffness, s: a line that falls on it at a speed v is braked from a height of this time times v on.
+   */
+  damping_time_s?: number;
+};
+/**
  * A rope without inertia that runs over sheaves: a hoist or a sling. It pulls when its path is longer
  * than the rope, else it is slack. Without a stiffness it is inextensible: it comes taut without a rebound, and its
  * peak tension at that moment must not be used for design.
@@ -5270,7 +5307,7 @@ export interface DynamicLine {
   second?: Pin3 | null;
   /**
    * Whether the second end is free, instead of `second`. The line begins at rest straight down, or up if it floats, as far as the
-   * seabed or the surface, and beyond along x.
+   * seabed or the surface, and beyond down its slope, along the current or along x.
    */
   second_free?: boolean;
   /**
@@ -5300,7 +5337,7 @@ export interface DynamicLine {
    */
   sections: DynamicLineSection[];
   /**
-   * The level seabed on which it can lie; without it, the line does not touch the seabed.
+   * The plane seabed on which it can lie; without it, the line does not touch the seabed.
    */
   seabed?: LineSeabed | null;
   /**
@@ -5430,27 +5467,6 @@ export interface DrumLayers {
    * recorded.
    */
   innermost_radius_m: number;
-}
-/**
- * The seabed under a line.
- */
-export interface LineSeabed {
-  /**
-   * Its depth below the still waterline, m; without it, that of the sea.
-   */
-  depth_m?: number | null;
-  /**
-   * Coefficient of Coulomb friction, along and across the line.
-   */
-  friction: number;
-  /**
-   * Pressure per depth of penetration, N/m^3: the force per length is this times the diameter times the depth.
-   */
-  stiffness_N_per_m3?: number;
-  /**
-   * Damping over stiffness, s: a line that falls on it at a speed v is braked from a height of this time times v on.
-   */
-  damping_time_s?: number;
 }
 /**
  * A body that hangs on a rope.

@@ -1,5 +1,5 @@
-import { BufferAttribute, CircleGeometry, Mesh, MeshBasicMaterial } from "three";
-import type { DrawnLine } from "../engine/engine";
+import { BufferAttribute, CircleGeometry, Mesh, MeshBasicMaterial, Vector3 } from "three";
+import type { DrawnLine, DrawnSeabed } from "../engine/engine";
 import type { Palette } from "./palette";
 
 /** Radius of the drawn seabed, relative to the distance of the farthest point of a line over it. */
@@ -11,8 +11,9 @@ const OPACITY = 0.92;
 const IN_WATER = 0.35;
 const RINGS = 12;
 const SECTORS = 64;
+const UP = new Vector3(0, 0, 1);
 
-/** Level seabed under the lines that can lie on it: a disc that fades out. */
+/** Plane seabed under the lines that can lie on it: a disc that fades out. */
 export class Seabed extends Mesh<CircleGeometry, MeshBasicMaterial> {
   constructor() {
     super(discOf(), new MeshBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false }));
@@ -29,11 +30,10 @@ export class Seabed extends Mesh<CircleGeometry, MeshBasicMaterial> {
   /** Places the seabed below the present points of the lines; hides it if no line can lie on one. */
   place(lines: readonly DrawnLine[], points: ArrayLike<number>): void {
     const low = [1, 2].map((k) => k * Infinity), high = low.map((most) => -most);
-    let depth: number | null = null;
+    const beds = lines.flatMap(({ seabed }) => (seabed === null ? [] : [seabed]));
     let from = 0;
-    for (const { points: count, seabed_m } of lines) {
-      if (seabed_m !== null) {
-        depth = Math.min(depth ?? seabed_m, seabed_m);
+    for (const { points: count, seabed } of lines) {
+      if (seabed !== null) {
         for (let i = 0; i < count; i++) {
           for (const k of [0, 1]) {
             low[k] = Math.min(low[k], points[from + 3 * i + k]);
@@ -43,11 +43,15 @@ export class Seabed extends Mesh<CircleGeometry, MeshBasicMaterial> {
       }
       from += 3 * count;
     }
-    this.visible = depth !== null;
-    if (depth === null) return;
+    this.visible = beds.length > 0;
+    if (!this.visible) return;
+    const [x, y] = [0, 1].map((k) => (low[k] + high[k]) / 2);
+    const heightOf = ({ height_m, gradient }: DrawnSeabed) => height_m + gradient[0] * x + gradient[1] * y;
+    const lowest = beds.reduce((one, other) => (heightOf(other) < heightOf(one) ? other : one));
     const radius = (REACH * Math.hypot(high[0] - low[0], high[1] - low[1])) / 2;
     this.scale.set(radius, radius, 1);
-    this.position.set((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, depth - BELOW * radius);
+    this.quaternion.setFromUnitVectors(UP, new Vector3(-lowest.gradient[0], -lowest.gradient[1], 1).normalize());
+    this.position.set(x, y, heightOf(lowest) - BELOW * radius);
   }
 }
 

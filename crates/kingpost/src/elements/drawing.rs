@@ -15,8 +15,25 @@ pub struct DrawnLine {
     pub radius_m: f64,
     /// Number of its points.
     pub points: usize,
-    /// Height of the level seabed on which it can lie, world z, m; absent if there is none.
-    pub seabed_m: Option<f64>,
+    /// The seabed on which it can lie; absent if there is none.
+    pub seabed: Option<DrawnSeabed>,
+}
+
+impl DrawnLine {
+    /// A line with this name, appearance and number of points, too thin to be drawn to scale, without a seabed.
+    pub fn thin(name: &str, style: LineStyle, points: usize) -> Self {
+        Self { name: name.to_owned(), style, radius_m: 0.0, points, seabed: None }
+    }
+}
+
+/// A plane seabed under a drawn line.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct DrawnSeabed {
+    /// Height at the origin of the world, world z, m.
+    pub height_m: f64,
+    /// Gradient of the height along x and y.
+    pub gradient: [f64; 2],
 }
 
 /// The appearance of a drawn line.

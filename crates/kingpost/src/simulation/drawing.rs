@@ -8,13 +8,7 @@ impl Simulation {
     /// Returns the lines to draw: a rope for each body that hangs on its joint, and the lines of the
     /// elements.
     pub fn lines(&self) -> Vec<DrawnLine> {
-        let rope = |(_, joint): (usize, &Joint)| DrawnLine {
-            name: joint.name.clone(),
-            style: LineStyle::Line,
-            radius_m: 0.0,
-            points: 2,
-            seabed_m: None,
-        };
+        let rope = |(_, joint): (usize, &Joint)| DrawnLine::thin(&joint.name, LineStyle::Line, 2);
         self.hanging().map(rope).chain(self.plant.layout().lines.iter().cloned()).collect()
     }
 

@@ -42,7 +42,7 @@ fn value(run: &mut Simulation, name: &str) -> f64 {
 }
 
 fn ground() -> LineGround {
-    LineGround { depth: 60.0, stiffness_per_length: 1e6, damping_time: 0.0, friction: 0.0, sliding_speed: 0.01 }
+    LineGround::level(60.0, 1e6)
 }
 
 #[test]

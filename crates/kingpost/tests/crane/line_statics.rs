@@ -34,7 +34,7 @@ bodies: {point: {mass_kg: 1, shape: {point: {}}, joint: {fixed: {}}}}
 ";
 
 /// Returns tension at both ends and length on the ground of a line at rest between two points of the world.
-fn at_rest([from, to]: [[f64; 3]; 2], parts: &[LinePart], ground: Option<LineGround>) -> [f64; 3] {
+pub fn at_rest([from, to]: [[f64; 3]; 2], parts: &[LinePart], ground: Option<LineGround>) -> [f64; 3] {
     let mut setup = setup(ALONE);
     let ends = [from, to].map(|point| setup.model.attachment(None, Frame::translation(Vector3(point))));
     let line = DynamicLine::new("chain", ends, parts);
@@ -66,8 +66,7 @@ fn a_line_over_the_seabed_is_a_grounded_catenary() {
     let catenary = Catenary { unstretched_length: 430.0, weight: 685.0 * G, axial_stiffness: 3.27e9, on_seabed: true };
     let force = catenary.force(&Span { across: 400.0, up: 60.0 });
     let [upper, lower, lies] = catenary.tensions(&force);
-    let ground =
-        LineGround { depth: 60.0, stiffness_per_length: 1e6, damping_time: 0.0, friction: 0.0, sliding_speed: 0.01 };
+    let ground = LineGround::level(60.0, 1e6);
     let part = LinePart { unstretched_length: 430.0, section: CHAIN, elements: 86 };
     let [first, last, grounded] = at_rest([[400.0, 0.0, 0.0], [0.0, 0.0, -60.0]], &[part], Some(ground));
     // The touchdown lies somewhere in an element of 5 m: a second-order error of its length over that of the hanging part.
@@ -79,8 +78,7 @@ fn a_line_over_the_seabed_is_a_grounded_catenary() {
 #[test]
 fn a_line_that_is_longer_than_its_way_lies_slack_on_the_seabed() {
     // The hanging part is vertical, and its tension is its weight: z = V / w + V^2 / 2 EA w.
-    let ground =
-        LineGround { depth: 60.0, stiffness_per_length: 1e6, damping_time: 0.0, friction: 0.0, sliding_speed: 0.01 };
+    let ground = LineGround::level(60.0, 1e6);
     let part = LinePart { unstretched_length: 430.0, section: CHAIN, elements: 86 };
     let [first, last, _] = at_rest([[330.0, 0.0, 0.0], [0.0, 0.0, -60.0]], &[part], Some(ground));
     // Half an element more or less hangs, and carries its weight.

@@ -205,11 +205,8 @@ impl<S: Scalar> Cylinder<S> {
     fn lines(&self) -> Vec<DrawnLine> {
         let radius = BARREL_RADIUS * self.stroke[0].value();
         let line = |style, share: f64, points| DrawnLine {
-            name: self.name.clone(),
-            style,
             radius_m: share * radius,
-            points,
-            seabed_m: None,
+            ..DrawnLine::thin(&self.name, style, points)
         };
         let pin = || line(LineStyle::Pin, PIN_RADIUS, 1);
         vec![line(LineStyle::Barrel, 1.0, 2), line(LineStyle::Rod, ROD_RADIUS, 2), pin(), pin()]

@@ -56,7 +56,7 @@ impl<S: Scalar> Nodes<S> {
 
     /// Returns the unstretched length from the first end to where the line first touches the ground, linear between nodes, m.
     fn touchdown(&self, mesh: &LineMesh<S>, ground: &LineGround<S>) -> S {
-        let above = |node: usize| self.node(node).position[2] + ground.depth;
+        let above = |node: usize| -ground.under(self.node(node).position);
         let (mut found, mut to) = (mesh.length, mesh.length);
         for node in (1..self.len()).rev() {
             let half = mesh.elements[(node - 1) / 2].length * S::constant(0.5);

@@ -25,6 +25,9 @@ const MOST_POINTS: usize = 200;
 /// line is dragged along the seabed.
 const SLIDING_SPEED_M_S: f64 = 0.01;
 
+/// Steepest slope of a seabed: steeper is a wall, on which nothing rests.
+const STEEPEST_RAD: f64 = core::f64::consts::FRAC_PI_3;
+
 /// Penetration of an end into the seabed at the start that counts as lying on it, as a share of the depth: rounding.
 const ON_SEABED: f64 = 1e-9;
 
@@ -37,14 +40,7 @@ impl<S: Quantity> Assemble<S> for schema::DynamicLine<S> {
             let allowed = format!("2 to {MOST_POINTS}, or 0 for none");
             return Err(FieldError::new(field("points_along"), self.points_along, allowed));
         }
-        let ground = match &self.seabed {
-            None => None,
-            Some(seabed) => {
-                let depth = seabed.depth_m.map(|depth| depth.get()).or(at.world.depth);
-                let nowhere = || FieldError::new(field("seabed.depth_m"), "none", "a depth, here or in sea.depth_m");
-                Some(ground(seabed, &parts, depth.ok_or_else(nowhere)?))
-            }
-        };
+        let ground = self.seabed.as_ref().map(|seabed| ground(seabed, &parts, at.world.depth, &field)).transpose()?;
         let line = match (laid, self.enabled) {
             (Some(LaidLine::Between(ends)), true) => DynamicLine::new(name, ends, &parts),
             (Some(LaidLine::Free([first, nowhere])), true) => DynamicLine::ending_free(name, first, nowhere, &parts),
@@ -206,18 +202,35 @@ fn part<S: Quantity>(given: &schema::DynamicLineSection<S>) -> LinePart<S> {
     LinePart { unstretched_length: given.unstretched_length_m.get(), section, elements: given.elements }
 }
 
-/// Returns the ground, with the stiffness and damping of the mean diameter.
-fn ground<S: Quantity>(seabed: &schema::LineSeabed<S>, parts: &[LinePart<S>], depth: S) -> LineGround<S> {
+/// Returns the ground, with the stiffness and damping of the mean diameter, at its depth or that of the sea.
+fn ground<S: Quantity>(
+    seabed: &schema::LineSeabed<S>,
+    parts: &[LinePart<S>],
+    of_sea: Option<S>,
+    field: &dyn Fn(&str) -> String,
+) -> Result<LineGround<S>, FieldError> {
+    let nowhere = || FieldError::new(field("seabed.depth_m"), "none", "a depth, here or in sea.depth_m");
+    let depth = seabed.depth_m.map(|depth| depth.get()).or(of_sea).ok_or_else(nowhere)?;
+    let slope = seabed.slope_rad.get();
+    if !slope.all(|slope| slope <= STEEPEST_RAD) {
+        return Err(FieldError::new(
+            field("seabed.slope_rad"),
+            slope,
+            format!("0 to {STEEPEST_RAD:.4}, which is 60 degrees"),
+        ));
+    }
+    let [(sin, cos), (aside, ahead)] = [slope, seabed.slope_direction_rad].map(|angle| angle.sin_cos());
     let sum = |of: &dyn Fn(&LinePart<S>) -> S| parts.iter().fold(S::ZERO, |sum, part| sum + of(part));
     let length = sum(&|part| part.unstretched_length);
     let diameter = sum(&|part| part.unstretched_length * part.section.diameter) / length;
-    LineGround {
+    Ok(LineGround {
         depth,
+        normal: Vector3::new(sin * ahead, sin * aside, cos),
         stiffness_per_length: seabed.stiffness_n_per_m3.get() * diameter,
         damping_time: seabed.damping_time_s.get(),
         friction: seabed.friction.get(),
         sliding_speed: S::constant(SLIDING_SPEED_M_S),
-    }
+    })
 }
 
 /// Takes the start of the run as the reference of drums and paths, and checks that lines have a shape at rest there, above the
@@ -243,13 +256,12 @@ fn check_rest<S: Quantity>(line: &DynamicLine<S>, rest: &RestingLine<S>, of: &st
         let allowed = "a shape that the search finds: check lengths, masses, buoys and the places of the ends";
         return Err(FieldError::new(format!("{of}.sections"), "no shape at rest", allowed));
     }
-    let depth = line.ground.map(|ground| ground.depth);
     let held = line.held_nodes().zip(line.end_fields()).zip(rest.ends);
-    for ((_, which), z) in held.map(|(held, end)| (held, end[2])) {
-        let Some(depth) = depth else { continue };
-        let under = -(z + depth) / depth;
-        if !under.all(|under| under <= ON_SEABED) {
-            let found = format!("an end that starts {} m below the seabed", -(z + depth));
+    for ((_, which), end) in held {
+        let Some(ground) = line.ground else { continue };
+        let under = ground.under(end);
+        if !(under / ground.depth).all(|share| share <= ON_SEABED) {
+            let found = format!("an end that starts {under} m below the seabed");
             return Err(FieldError::new(format!("{of}.{which}"), found, "an end above the seabed, or no seabed"));
         }
     }

@@ -122,6 +122,21 @@ impl<S: Scalar> Blocks<S> {
         }
     }
 
+    /// Sets b to the forces on the moving nodes by moves of the first end and, unless it moves freely, of the second one, with A
+    /// factored.
+    pub fn move_ends(&mut self, [first, last]: [Vector3<S>; 2]) {
+        self.right.fill(Vector3::zero());
+        for (node, block) in [1, 2].into_iter().zip(self.above[0]) {
+            self.right[node] -= block * first;
+        }
+        let end = self.moving.end;
+        for (back, before) in [1, 2].into_iter().filter_map(|back| Some((back, end.checked_sub(back)?))) {
+            if end < self.right.len() && before > 0 {
+                self.right[before] -= self.above[before][back - 1] * last;
+            }
+        }
+    }
+
     /// Returns the number of moving nodes behind a node on which it acts.
     fn reach(&self, node: usize) -> usize {
         let reach = if self.bends || node.is_multiple_of(2) { 2 } else { 1 };

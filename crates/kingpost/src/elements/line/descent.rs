@@ -42,6 +42,24 @@ impl<S: Scalar> Descent<S> {
         (self.gain, self.goes_on) = (S::ZERO, S::ONE);
     }
 
+    /// Begins a further search of the lanes that were [open](Self::open).
+    pub fn begin_again(&mut self, open: S) {
+        self.begin();
+        self.goes_on = open;
+    }
+
+    /// Returns 1 for lanes that have not arrived, 0 for others.
+    pub fn open(&self) -> S {
+        self.goes_on
+    }
+
+    /// Moves the nodes by the linear effect of moves of the ends, which the equations have the matrix for.
+    pub fn follow(&mut self, blocks: &mut Blocks<S>, ends: [Vector3<S>; 2], nodes: &mut [Vector3<S>]) {
+        blocks.move_ends(ends);
+        blocks.solve(&mut self.newton);
+        nodes.iter_mut().zip(&self.newton).for_each(|(node, move_m)| *node += *move_m);
+    }
+
     /// Moves the nodes, whose equations are given, by at most `longest` (m). Ends the search of each lane whose Newton move is
     /// shorter than `enough` (m), if it may arrive: 1, or 0.
     pub fn improve(

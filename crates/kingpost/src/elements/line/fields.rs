@@ -22,7 +22,7 @@ pub struct DynamicLine<S = f64> {
     /// The other end: an anchor in the `world`, or a point of another body.
     pub second: Option<Pin<S>>,
     /// Whether the second end is free, instead of `second`. The line begins at rest straight down, or up if it floats, as far as the
-    /// seabed or the surface, and beyond along x.
+    /// seabed or the surface, and beyond down its slope, along the current or along x.
     #[serde(default)]
     pub second_free: bool,
     /// Direction in which it leaves the first end, in the axes of that body: the end is clamped, with bending stiffness in the
@@ -38,7 +38,7 @@ pub struct DynamicLine<S = f64> {
     pub path: Vec<RopeStation<S>>,
     /// Its sections, from the first end. With a path the length of the first one is that at the start.
     pub sections: Vec<DynamicLineSection<S>>,
-    /// The level seabed on which it can lie; without it, the line does not touch the seabed.
+    /// The plane seabed on which it can lie; without it, the line does not touch the seabed.
     pub seabed: Option<LineSeabed<S>>,
     /// Number of points along it at which the results have its tension, evenly spaced along its unstretched length with both
     /// ends: 2 to 200, or 0 for none.
@@ -105,8 +105,14 @@ pub struct LineClumpWeight<S = f64> {
 /// The seabed under a line.
 #[fields]
 pub struct LineSeabed<S = f64> {
-    /// Its depth below the still waterline, m; without it, that of the sea.
+    /// Its depth below the still waterline at the origin of the world, m; without it, that of the sea.
     pub depth_m: Option<Positive<S>>,
+    /// Its slope, rad: up to 60 degrees. A run begins with the line at rest without friction, also on a slope.
+    #[serde(default)]
+    pub slope_rad: NonNegative<S>,
+    /// Horizontal direction in which it falls, rad, from x towards y.
+    #[serde(default)]
+    pub slope_direction_rad: S,
     /// Coefficient of Coulomb friction, along and across the line.
     pub friction: NonNegative<S>,
     /// Pressure per depth of penetration, N/m^3: the force per length is this times the diameter times the depth.

@@ -1,14 +1,16 @@
 //! The ground on which a line can lie.
 
-use super::one_sided::{OneSided, mean_one_sided, one_sided, share_at_end};
+use super::one_sided::{OneSided, is_open, mean_one_sided, one_sided, positive, share_at_end};
 use crate::scalar::Scalar;
 use crate::spatial::{Matrix3, Vector3};
 
-/// A level ground: a stiff and damped support, with dry friction across and along the line.
+/// A plane ground: a stiff and damped support along its normal, with dry friction across and along the line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineGround<S = f64> {
-    /// Depth below the still waterline, m.
+    /// Depth below the still waterline at the origin of the world, m.
     pub depth: S,
+    /// Unit normal, world, upwards.
+    pub normal: Vector3<S>,
     /// Stiffness per length of the line, N/m^2.
     pub stiffness_per_length: S,
     /// Damping over stiffness, s.
@@ -32,62 +34,95 @@ pub struct MeanSupport<S> {
 }
 
 impl<S: Scalar> LineGround<S> {
-    /// Returns force (N), heat (W) and stored energy (J) of a part of this length, which is `depth` (m) under the ground, at a
-    /// velocity.
-    pub fn support(&self, length: S, depth: S, velocity: Vector3<S>) -> (Vector3<S>, S, S) {
-        let [vx, vy, sinking] = [velocity[0], velocity[1], -velocity[2]];
-        let stiffness = self.stiffness_per_length * length;
-        let [elastic, whole] = one_sided(depth, sinking, self.damping_time);
-        let normal = stiffness * whole;
-        let speed = (vx * vx + vy * vy + self.sliding_speed * self.sliding_speed).sqrt();
-        let drag = self.friction * normal / speed;
-        let force = Vector3::new(-drag * vx, -drag * vy, normal);
-        let heat = drag * (vx * vx + vy * vy) + stiffness * (whole - elastic) * sinking;
-        (force, heat, stiffness * elastic * elastic * S::constant(0.5))
+    /// Creates a level ground without damping and friction at a depth (m), with this stiffness per length of the line (N/m^2).
+    pub fn level(depth: S, stiffness_per_length: S) -> Self {
+        let (normal, none) = (Vector3::constant([0.0, 0.0, 1.0]), S::ZERO);
+        Self {
+            depth,
+            normal,
+            stiffness_per_length,
+            damping_time: none,
+            friction: none,
+            sliding_speed: S::constant(0.01),
+        }
     }
 
-    /// Returns the elastic force (N/m) and its energy (J/m) per length, `depth` (m) under the ground.
-    pub fn held_per_length(&self, depth: S) -> [S; 2] {
-        let [elastic, _] = one_sided(depth, S::ZERO, self.damping_time);
+    /// Returns the ground with this share of its stiffness.
+    pub fn softened(self, share: S) -> Self {
+        Self { stiffness_per_length: self.stiffness_per_length * share, ..self }
+    }
+
+    /// Returns the distance of a point of the world under the ground, along its normal, m.
+    pub fn under(&self, point: Vector3<S>) -> S {
+        -(self.depth * self.normal[2]) - self.normal.dot(point)
+    }
+
+    /// Returns the height of the ground at the horizontal place of a point of the world, m.
+    pub fn height_at(&self, point: Vector3<S>) -> S {
+        -self.depth - (self.normal[0] * point[0] + self.normal[1] * point[1]) / self.normal[2]
+    }
+
+    /// Returns the gradient of the height, along x and y.
+    pub fn gradient(&self) -> [S; 2] {
+        [0, 1].map(|k| -self.normal[k] / self.normal[2])
+    }
+
+    /// Returns the part of the downward unit vector along the ground: zero if it is level.
+    pub fn fall(&self) -> Vector3<S> {
+        self.normal * self.normal[2] - Vector3::constant([0.0, 0.0, 1.0])
+    }
+
+    /// Returns force (N), heat (W) and stored energy (J) of a part of this length at a point of the world with a velocity.
+    pub fn support(&self, length: S, point: Vector3<S>, velocity: Vector3<S>) -> (Vector3<S>, S, S) {
+        let rising = self.normal.dot(velocity);
+        let sliding = velocity - self.normal * rising;
+        let stiffness = self.stiffness_per_length * length;
+        let [elastic, whole] = one_sided(self.under(point), -rising, self.damping_time);
+        let normal = stiffness * whole;
+        let speed = (sliding.norm_squared() + self.sliding_speed * self.sliding_speed).sqrt();
+        let drag = self.friction * normal / speed;
+        let heat = drag * sliding.norm_squared() - stiffness * (whole - elastic) * rising;
+        (self.normal * normal - sliding * drag, heat, stiffness * elastic * elastic * S::constant(0.5))
+    }
+
+    /// Returns the elastic force (N/m) and its energy (J/m) per length at a point of the world.
+    pub fn held_per_length(&self, point: Vector3<S>) -> [S; 2] {
+        let elastic = positive(self.under(point));
         let force = self.stiffness_per_length * elastic;
         [force, force * elastic * S::constant(0.5)]
     }
 
-    /// Returns the mean support over an interval of a part of this length that moves by `way` (m) between two depths under the
-    /// ground and sinks with `sinking` (m/s) at first.
-    #[inline]
+    /// Returns the mean support over an interval of a part of this length that moves from a point by `way` (m), with this
+    /// velocity at first.
+    #[inline(always)]
     pub fn mean_support(
         &self,
         length: S,
-        (depths, sinking): ([S; 2], S),
-        way: Vector3<S>,
+        (point, velocity): (Vector3<S>, Vector3<S>),
+        (to, way): (Vector3<S>, Vector3<S>),
         interval_s: S,
     ) -> MeanSupport<S> {
+        let (depths, sinking) = ([point, to].map(|point| self.under(point)), -self.normal.dot(velocity));
         let per_s = S::ONE / interval_s;
         let stiffness = self.stiffness_per_length * length;
         let (share, mean) = (share_at_end(interval_s, self.damping_time), (depths[1] - depths[0]) * per_s);
         // The rate at the end is twice the mean rate less that at the start.
         let rate = mean + share * (mean - sinking);
-        let OneSided { elastic, whole, slopes: [along, per_rate] } = mean_one_sided(depths, rate, self.damping_time);
-        let slope = along + per_rate * (S::ONE + share) * per_s;
-        let (normal, rise) = (stiffness * whole, stiffness * slope);
-        let [vx, vy] = [way[0] * per_s, way[1] * per_s];
-        let per_speed = S::ONE / (vx * vx + vy * vy + self.sliding_speed * self.sliding_speed).sqrt();
-        let [ex, ey] = [vx * per_speed, vy * per_speed];
-        let (limit, per_depth) = (self.friction * normal, self.friction * rise);
-        let k = limit * per_speed * per_s;
-        let slope = Matrix3([
-            [k * (S::ONE - ex * ex), -(k * ex * ey), -(per_depth * ex)],
-            [-(k * ex * ey), k * (S::ONE - ey * ey), -(per_depth * ey)],
-            [S::ZERO, S::ZERO, rise],
-        ]);
-        let heat = limit * (ex * way[0] + ey * way[1]) + stiffness * (whole - elastic) * (depths[1] - depths[0]);
-        let held = normal.select_below(f64::MIN_POSITIVE, || S::ZERO, || self.sliding_speed * per_speed);
-        MeanSupport {
-            force: Vector3::new(-(limit * ex), -(limit * ey), normal),
-            heat,
-            slope,
-            rise: rise / stiffness + held,
+        if is_open(depths, rate, self.damping_time) {
+            return MeanSupport { force: Vector3::zero(), heat: S::ZERO, slope: Matrix3::zero(), rise: S::ZERO };
         }
+        let OneSided { elastic, whole, slopes: [by_depth, per_rate] } = mean_one_sided(depths, rate, self.damping_time);
+        let slope = by_depth + per_rate * (S::ONE + share) * per_s;
+        let (normal, rise) = (stiffness * whole, stiffness * slope);
+        let up = self.normal;
+        let slides = (way - up * up.dot(way)) * per_s;
+        let per_speed = S::ONE / (slides.norm_squared() + self.sliding_speed * self.sliding_speed).sqrt();
+        let along = slides * per_speed;
+        let (limit, per_depth) = (self.friction * normal, self.friction * rise);
+        let in_plane = Matrix3::identity() - Matrix3::outer(up, up) - Matrix3::outer(along, along);
+        let slope = in_plane.scaled(limit * per_speed * per_s) + Matrix3::outer(up * rise - along * per_depth, up);
+        let heat = limit * along.dot(way) + stiffness * (whole - elastic) * (depths[1] - depths[0]);
+        let held = normal.select_below(f64::MIN_POSITIVE, || S::ZERO, || self.sliding_speed * per_speed);
+        MeanSupport { force: up * normal - along * limit, heat, slope, rise: rise / stiffness + held }
     }
 }

@@ -36,8 +36,8 @@ pub use supply::LineSupply;
 use super::lines::{declaration_of_line, pull_at, shares, velocity};
 use super::ropes::{Drum, RopePath, Station};
 use super::{
-    Advancing, Context, Crossing, Declaration, Element, ElementState, EvaluationMode, Event, Output, RandomDrag,
-    StateDeclaration, Support,
+    Advancing, Context, Crossing, Declaration, DrawnSeabed, Element, ElementState, EvaluationMode, Event, Output,
+    RandomDrag, StateDeclaration, Support,
 };
 use crate::dynamics::Loads;
 use crate::model::Attachment;
@@ -67,7 +67,7 @@ pub struct DynamicLine<S = f64> {
     pub ends: [Attachment<S>; 2],
     /// Directions from the first end to the second one at clamped ends, in the axes of their bodies.
     clamps: [Option<Vector3<S>>; 2],
-    /// The ground on which it can lie, at the depth of the water.
+    /// The ground on which it can lie.
     pub ground: Option<LineGround<S>>,
     /// Drum and sheaves from which its first part is paid out.
     supply: Option<LineSupply<S>>,
@@ -302,7 +302,10 @@ impl<S: Scalar> Element<S> for DynamicLine<S> {
         let mut declared = declaration_of_line(&self.name);
         let lost = "energy that the time stepping of a line took from it";
         declared.outputs.push(Output::number("line_energy_lost_to_scheme", lost, "line", &self.name, &["J"]));
-        declared.lines[0].seabed_m = self.ground.map(|ground| -ground.depth.value());
+        declared.lines[0].seabed = self.ground.map(|ground| DrawnSeabed {
+            height_m: -ground.depth.value(),
+            gradient: ground.gradient().map(|slope| slope.value()),
+        });
         declared.outputs.extend(outputs_along(&self.name, self.points_along, self.ground.is_some()));
         if self.supply.is_some() {
             let rate = "rate at which the length of a line increases";

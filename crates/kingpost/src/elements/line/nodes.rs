@@ -242,7 +242,7 @@ impl<S: Scalar> Nodes<S> {
     fn on_ground(&self, node: usize, mesh: &LineMesh<S>, ground: Option<&LineGround<S>>) -> (Vector3<S>, S, S) {
         let Some(ground) = ground else { return (Vector3::zero(), S::ZERO, S::ZERO) };
         let LineNode { position, velocity, .. } = self.nodes[node];
-        ground.support(mesh.nodes[node].length, -ground.depth - position[2], velocity)
+        ground.support(mesh.nodes[node].length, position, velocity)
     }
 
     /// Returns the energy of strain, weight and ground, and the kinetic energy between the ends, J.
@@ -283,9 +283,9 @@ impl<S: Scalar> Nodes<S> {
 
     /// Returns the unstretched length of the line that lies on the ground, m.
     pub fn grounded_length(&self, mesh: &LineMesh<S>, ground: Option<&LineGround<S>>) -> S {
-        let Some(depth) = ground.map(|ground| ground.depth) else { return S::ZERO };
+        let Some(ground) = ground else { return S::ZERO };
         (0..self.nodes.len()).fold(S::ZERO, |sum, i| {
-            let above = self.nodes[i].position[2] + depth;
+            let above = -ground.under(self.nodes[i].position);
             sum + above.select_below(0.0, || mesh.nodes[i].length, || S::ZERO)
         })
     }

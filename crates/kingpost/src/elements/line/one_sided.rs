@@ -36,7 +36,35 @@ pub fn one_sided<S: Scalar>(deflection: S, rate: S, tau: S) -> [S; 2] {
 
 /// Returns the mean force over an interval between two deflections, with this rate: its elastic part changes max(x, 0)^2 / 2
 /// by its product with the change of x.
+#[inline(always)]
 pub fn mean_one_sided<S: Scalar>([before, after]: [S; 2], rate: S, tau: S) -> OneSided<S> {
+    let is_positive = |x: f64| x > 0.0;
+    if before.all(is_positive) && after.all(is_positive) {
+        return mean_closed([before, after], rate, tau);
+    }
+    mean_across([before, after], rate, tau)
+}
+
+/// Whether a spring has no force over an interval between two deflections, with this rate.
+#[inline(always)]
+pub fn is_open<S: Scalar>([before, after]: [S; 2], rate: S, tau: S) -> bool {
+    let is_negative = |x: f64| x < 0.0;
+    let closes = tau * rate + (before + after) * S::constant(0.5);
+    before.all(is_negative) && after.all(is_negative) && closes.all(is_negative)
+}
+
+/// Returns the mean force over an interval in which the spring is closed at both ends.
+#[inline(always)]
+fn mean_closed<S: Scalar>([before, after]: [S; 2], rate: S, tau: S) -> OneSided<S> {
+    let half = S::constant(0.5);
+    let elastic = (before + after) * half;
+    let left = elastic + tau * rate;
+    let if_positive = |value: S| left.select_below(0.0, || S::ZERO, || value);
+    OneSided { elastic, whole: positive(left), slopes: [if_positive(half), if_positive(tau)] }
+}
+
+/// Returns the mean force over an interval in which the spring may open or close.
+fn mean_across<S: Scalar>([before, after]: [S; 2], rate: S, tau: S) -> OneSided<S> {
     let (elastic, rise) = mean_of_positive(before, after);
     let (gap, narrows) = mean_of_positive(-before, -after);
     let damping = tau * rate;

@@ -73,7 +73,7 @@ impl<S: Scalar> Nodes<S> {
             let drift = self.feed.drift(node);
             force -= (mass * drift[2] + growth * place[2]) * at.world.gravity;
             if let Some(ground) = ground {
-                let [support, energy] = ground.held_per_length(-ground.depth - place[2]);
+                let [support, energy] = ground.held_per_length(place);
                 force += support * part.length * drift[2] - energy * S::constant(part.growth);
             }
             let (convected, own) = (self.convected(node, mesh), self.nodes[node].velocity);

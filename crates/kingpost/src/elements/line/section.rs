@@ -144,6 +144,7 @@ impl<S: Scalar> WetPart<S> {
     }
 
     /// Returns the drag on the part at its velocity, this time (s) after that of the water's velocity.
+    #[inline(always)]
     pub fn drag(&self, velocity: Vector3<S>, later_s: S) -> LineDrag<S> {
         let relative = self.velocity + self.acceleration * later_s - velocity;
         if let Some(spread) = &self.spread {
@@ -209,15 +210,15 @@ impl<S: Scalar> LineSection<S> {
     }
 
     /// Returns the mean tension of an interval between two stretch ratios with this rate, N, as [`tension`](Self::tension), and
-    /// its derivatives along the ratio at the end and along the rate.
+    /// over EA its derivatives along the ratio at the end and along the rate.
+    #[inline(always)]
     pub fn mean_tension(&self, ratios: [S; 2], rate: S) -> ([S; 2], [S; 2]) {
         let (strains, half) = (ratios.map(|ratio| ratio - S::ONE), S::constant(0.5));
         let OneSided { elastic, whole, slopes: [along, per_rate] } = mean_one_sided(strains, rate, self.damping_time);
         let mean = (strains[0] + strains[1]) * half;
         let pushes = [mean, mean + self.damping_time * rate, half, self.damping_time];
-        let [elastic, whole, along, per_rate] =
-            self.if_pushes(pushes, [elastic, whole, along, per_rate]).map(|part| self.axial_stiffness * part);
-        ([elastic, whole], [along, per_rate])
+        let [elastic, whole, along, per_rate] = self.if_pushes(pushes, [elastic, whole, along, per_rate]);
+        ([self.axial_stiffness * elastic, self.axial_stiffness * whole], [along, per_rate])
     }
 
     /// Returns a part of this length in the water at a point, with the height of its middle and its unit tangent, and with what

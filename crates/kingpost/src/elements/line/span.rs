@@ -173,16 +173,24 @@ impl<S: Scalar> LineSpan<S> {
         }
     }
 
-    /// Sets the first guess: along the way to the last point of this step, or with the velocities at the base.
-    pub fn predict(&mut self, interval_s: f64, [first, last]: [Vector3<S>; 2], moving_end: usize) {
-        let [_, _, before_s] = self.clock;
-        let (ratio, interval) = (S::constant(interval_s / before_s), S::constant(interval_s));
+    /// Sets the first guess: with the velocities at the base, and with the mean acceleration to the last point of this step.
+    pub fn predict(&mut self, interval_s: f64) {
+        let before_s = self.clock[2];
+        let (interval, before) = (S::constant(interval_s), S::constant(before_s));
+        let square = S::constant(if before_s > 0.0 { (interval_s / before_s) * (interval_s / before_s) } else { 0.0 });
         for (base, next) in self.base.iter().zip(&mut self.next) {
-            let way = if before_s > 0.0 { (*next - base.position) * ratio } else { base.velocity * interval };
-            *next = base.position + way;
+            let bent = *next - base.position - base.velocity * before;
+            *next = base.position + base.velocity * interval + bent * square;
         }
-        (self.next[0], self.clock[2]) = (first, interval_s);
+        self.clock[2] = interval_s;
+    }
+
+    /// Moves the ends to these places; returns their moves.
+    pub fn move_ends(&mut self, [first, last]: [Vector3<S>; 2], moving_end: usize) -> [Vector3<S>; 2] {
+        let moved = [first - self.next[0], self.next.get(moving_end).map_or(Vector3::zero(), |node| last - *node)];
+        self.next[0] = first;
         self.next[moving_end..].fill(last);
+        moved
     }
 
     /// Returns the number of points of Gauss's rule.
@@ -214,7 +222,7 @@ impl<S: Scalar> LineSpan<S> {
             let ([position, velocity], part) = (motion(i), &mesh.nodes[i]);
             energy += part.dry_mass() * (gravity * position[2] + velocity.norm_squared() * half);
             if let Some(ground) = ground {
-                energy += ground.held_per_length(-ground.depth - position[2])[1] * part.length;
+                energy += ground.held_per_length(position)[1] * part.length;
             }
         }
         energy
@@ -243,7 +251,7 @@ impl<S: Scalar> LineSpan<S> {
     }
 
     /// Returns the mean tension at a point of Gauss's rule.
-    #[inline]
+    #[inline(always)]
     fn pull(&self, k: usize, mesh: &LineMesh<S>, interval: S) -> MeanPull<S> {
         let (BaseStretch { way: before, ratio: ratio_before, rate: rate_before, drift }, per_s) =
             (self.stretched[k], S::ONE / interval);
@@ -262,15 +270,17 @@ impl<S: Scalar> LineSpan<S> {
         let mean = (ratio - ratio_before - direction.dot(drifted)) * per_s;
         let rate = mean * (S::ONE - share) + stretches * share;
         let (tension, [rise, per_rate]) = section.mean_tension([ratio_before, ratio], rate);
-        let across = Matrix3::identity() - Matrix3::outer(direction, tangent);
+        let stiff = section.axial_stiffness;
+        let (across, per_rate) = (tension[1] * per_sum, stiff * per_rate);
         let turns = (at_end - tangent * stretches) * (per_rate * share / least(ratio));
-        let along = tangent * (rise + per_rate * (S::ONE + share) * per_s) + turns;
-        let stiffness = Matrix3::outer(direction, along) + across.scaled(tension[1] * per_sum);
-        MeanPull { direction, tension, rise: rise / section.axial_stiffness, stiffness }
+        let along = tangent * (stiff * rise + per_rate * (S::ONE + share) * per_s - across) + turns;
+        let mut stiffness = Matrix3::outer(direction, along);
+        (0..3).for_each(|i| stiffness.0[i][i] += across);
+        MeanPull { direction, tension, rise, stiffness }
     }
 
     /// Returns the mean loads on a node between the ends.
-    #[inline]
+    #[inline(always)]
     pub fn loads(&self, node: usize, ground: Option<&LineGround<S>>, interval: S) -> NodeLoads<S> {
         let (base, way) = (&self.base[node], self.way(node));
         let per_s = S::ONE / interval;
@@ -285,9 +295,8 @@ impl<S: Scalar> LineSpan<S> {
             heat: [drag.force.dot(drag.relative) * interval, S::ZERO],
         };
         if let Some(ground) = ground {
-            let depths = [base.position[2], self.next[node][2]].map(|z| -ground.depth - z);
-            let sinking = -base.velocity[2];
-            let support = ground.mean_support(base.length, (depths, sinking), way, interval);
+            let from = (base.position, base.velocity);
+            let support = ground.mean_support(base.length, from, (self.next[node], way), interval);
             loads.force += support.force;
             loads.slope += support.slope;
             (loads.rise, loads.heat[1]) = (support.rise, support.heat);

@@ -21,6 +21,9 @@ use core::f64::consts::FRAC_PI_4;
 const CONVERGED: f64 = 1e-9;
 /// Largest number of iterations; 5 to 10 are usual.
 const MOST_ITERATIONS: usize = 500;
+/// Shares of the stiffness of the ground with which the search goes on where it finds no rest on a stiff one: nodes that come
+/// and go on a soft ground change the forces little.
+const SOFTER: [f64; 5] = [1e-4, 1e-3, 1e-2, 0.1, 1.0];
 /// Longest move of a node in an iteration, as a share of the length of an element.
 const LONGEST_MOVE: f64 = 0.5;
 /// Stiffness that holds a node where it is, over its weight per length of the line: a line that lies slack on the ground has
@@ -74,29 +77,46 @@ impl<S: Scalar> LineStatics<S> {
         self.positions.iter_mut().for_each(|place| *place = Vector3(place.0.map(S::plain)));
         self.positions[0] = places[0];
         self.positions[mesh.moving().end..].fill(places[1]);
+        self.descent.begin();
+        self.found = self.search(mesh, ground, directions, at);
+        let open = self.descent.open();
+        for softness in SOFTER {
+            if self.found {
+                break;
+            }
+            let soft = ground.map(|ground| ground.softened(S::constant(softness)));
+            self.descent.begin_again(open);
+            self.found = self.search(mesh, soft.as_ref(), directions, at) && softness == 1.0;
+        }
+        if !self.found {
+            self.positions.fill(Vector3(core::array::from_fn(|_| S::constant(f64::NAN))));
+        }
+        &self.positions
+    }
+
+    /// Moves the nodes to rest by Newton's method, from where they are. Returns whether they have arrived.
+    fn search(
+        &mut self,
+        mesh: &LineMesh<S>,
+        ground: Option<&LineGround<S>>,
+        directions: &[Vector3<S>; 2],
+        at: &Context<'_, S>,
+    ) -> bool {
         let (limit, longest) = (mesh.length * S::constant(CONVERGED), mesh.shortest() * S::constant(LONGEST_MOVE));
         let mut more = if S::HAS_DERIVATIVES { FOR_DERIVATIVES } else { 0 };
-        self.found = false;
-        self.descent.begin();
         for _ in 0..MOST_ITERATIONS {
             self.assemble(mesh, ground, directions, at);
             self.blocks.factor();
-            self.descent.improve(
-                &mut self.blocks,
-                &mut self.positions,
-                [limit, longest],
-                if more > 0 { S::ZERO } else { S::ONE },
-            );
+            let may_arrive = if more > 0 { S::ZERO } else { S::ONE };
+            self.descent.improve(&mut self.blocks, &mut self.positions, [limit, longest], may_arrive);
             if self.descent.is_small(limit) {
                 more = more.saturating_sub(1);
             }
             if self.descent.has_arrived() {
-                self.found = true;
-                return &self.positions;
+                return true;
             }
         }
-        self.positions.fill(Vector3(core::array::from_fn(|_| S::constant(f64::NAN))));
-        &self.positions
+        false
     }
 
     /// Adds tension and bending to the equations.
@@ -153,10 +173,10 @@ impl<S: Scalar> LineStatics<S> {
             let mut stiffness = Matrix3::identity().scaled(hold);
             stiffness.0[2][2] += wet.stiffness;
             if let Some(ground) = ground {
-                let under = -ground.depth - place[2];
-                force += ground.support(part.length, under, Vector3::zero()).0;
+                force += ground.support(part.length, place, Vector3::zero()).0;
                 let stiff = ground.stiffness_per_length * part.length;
-                stiffness.0[2][2] += under.select_below(0.0, || S::ZERO, || stiff);
+                let stiff = ground.under(place).select_below(0.0, || S::ZERO, || stiff);
+                stiffness += Matrix3::outer(ground.normal, ground.normal).scaled(stiff);
             }
             self.blocks.add::<true>(node, stiffness, force);
         }
@@ -173,7 +193,7 @@ fn turning<S: Scalar>(wet: &WetPart<S>, way: Vector3<S>) -> Matrix3<S> {
 }
 
 /// Writes a first shape of a line with a free end: straight down from its first end, or up if it floats, as far as the seabed or
-/// the surface, and beyond along the current, or along x.
+/// the surface, and beyond down the slope of the seabed, or along the current, or along x.
 fn drop<S: Scalar>(
     mesh: &LineMesh<S>,
     ground: Option<&LineGround<S>>,
@@ -189,16 +209,23 @@ fn drop<S: Scalar>(
     let size = |value: S| value.select_below(0.0, || -value, || value);
     let (weight, carried, half) = (size(own.weight), size(carried), S::constant(0.5));
     // The ground carries what lies on it.
-    let below =
-        ground.map_or(mesh.length, |ground| positive(first[2] + ground.depth) + weight / ground.stiffness_per_length);
+    let below = ground.map_or(mesh.length, |ground| {
+        positive(first[2] - ground.height_at(first)) + weight / ground.stiffness_per_length
+    });
     let room = sinks.select_below(0.0, || positive(-first[2]), || below);
     let hangs = mesh.length.select_less(room, || mesh.length, || room);
     let end_load = mesh.length.select_less(room, || carried, || S::ZERO);
     let sign = sinks.select_below(0.0, || S::ONE, || -S::ONE);
     let along_current = at.world.current_at(&CurrentAt::Depth(positive(room - first[2])));
     let flows = along_current.norm_squared();
-    let aside =
-        if flows.all(|square| square > 0.0) { along_current.direction() } else { Vector3::constant([1.0, 0.0, 0.0]) };
+    let falls = ground.map_or(Vector3::zero(), LineGround::fall);
+    let aside = if falls.norm_squared().all(|square| square > 0.0) {
+        falls.direction()
+    } else if flows.all(|square| square > 0.0) {
+        along_current.direction()
+    } else {
+        Vector3::constant([1.0, 0.0, 0.0])
+    };
     let mut along = S::ZERO;
     for (k, node) in nodes.iter_mut().enumerate() {
         let hanging = along.select_less(hangs, || along, || hangs);
@@ -265,8 +292,7 @@ fn hang<S: Scalar>(
     let across = (way[0] * way[0] + way[1] * way[1]).sqrt();
     let least = length * S::constant(NEAREST);
     let span = Span { across: across.select_less(least, || least, || across), up: way[2] };
-    let ground = ground.map(|ground| ground.depth);
-    let lies = ground.is_some_and(|depth| (lower[2] + depth).all(|above| above <= 0.0));
+    let lies = ground.is_some_and(|ground| ground.under(lower).all(|under| under >= 0.0));
     let shape = mean_catenary(part, length, lies, at);
     let sinks = shape.weight.all(|weight| weight > 0.0);
     let force = shape.force(&span);
@@ -282,9 +308,11 @@ fn hang<S: Scalar>(
         }
         let place = shape.place(&force, &span, if is_up { S::ONE - share } else { share });
         let across = place.across / span.across;
-        let height = lower[2] + place.up;
-        let height = ground.map_or(height, |depth| (height + depth).select_below(0.0, || -depth, || height));
-        *node = Vector3::new(lower[0] + way[0] * across, lower[1] + way[1] * across, height);
+        *node = lower + Vector3::new(way[0] * across, way[1] * across, place.up);
+        if let Some(ground) = ground {
+            let lowest = ground.height_at(*node);
+            node[2] = node[2].select_less(lowest, || lowest, || node[2]);
+        }
     }
 }
 

@@ -12,11 +12,12 @@
 //! the material through the nodes (`pay_out.rs`) changes `x_1 - x_0` by c (L_1 - L_0), and the force by a part that its
 //! derivatives leave out: it is smaller by the speed of paying out over that of the waves in the line.
 //!
-//! Newton's method solves for `x_1`. The matrix of its first iteration serves for the next two, and for the first three at
-//! another point at the same time, as Kutta's scheme has two of each: their error falls by the change of the matrix, about as
-//! much as the first move is smaller than an element, and more slowly where friction begins. Where the line became slack or
-//! left the ground since, such a move can be much too short, and does not end the search. Each further iteration computes its
-//! matrix. Derivatives follow by the matrix at the solution (implicit function theorem).
+//! Newton's method solves for `x_1`. It begins with the mean acceleration to the last point; at another point at the same time,
+//! as Kutta's scheme has two of each, with that point and the linear effect of the other places of the ends. The matrix of an
+//! iteration serves for one more, also at such a point: the error falls by the change of the matrix, about as much as the first
+//! move is smaller than an element, and more slowly where friction begins. Where the line became slack or left the ground since,
+//! such a move can be much too short, and does not end the search. Each further iteration computes its matrix. Derivatives
+//! follow by the matrix at the solution (implicit function theorem).
 
 use super::bend::LineEnds;
 use super::blocks::Blocks;
@@ -40,9 +41,6 @@ const CONVERGED_WITH_OLD: f64 = 1e-9;
 pub const MOST_ITERATIONS: usize = 60;
 /// Longest move of a node in an iteration, as a share of the length of an element.
 const LONGEST_MOVE: f64 = 0.5;
-/// Number of iterations with the first matrix.
-const WITH_FIRST_MATRIX: usize = 3;
-
 /// Change of a derivative that jumps, as a share of the jump, after which a matrix is too old to end the search.
 const JUMPED: f64 = 0.1;
 
@@ -61,13 +59,10 @@ pub struct Booked<S> {
 #[derive(Clone, Debug)]
 pub struct LineStep<S> {
     span: LineSpan<S>,
-    /// Equations of the first iterations, and the time from the base to the point to which their matrix belongs, s: 0 if there
-    /// is none.
-    first: (Blocks<S>, f64),
+    /// Equations, with the matrix of an iteration.
+    blocks: Blocks<S>,
     /// Derivatives that jump, for that matrix.
     rises: Vec<S>,
-    /// Equations of further iterations.
-    further: Blocks<S>,
     descent: Descent<S>,
     /// Energy of the line without its ends at the base, J.
     energy: S,
@@ -77,12 +72,10 @@ impl<S: Scalar> LineStep<S> {
     /// Allocates the memory for the nodes of a mesh.
     pub fn new(mesh: &LineMesh<S>) -> Self {
         let count = mesh.nodes.len();
-        let blocks = Blocks::new(count, mesh.moving(), !mesh.bends.is_empty());
         Self {
             rises: vec![S::ZERO; 2 * count - 1],
             span: LineSpan::new(mesh),
-            first: (blocks.clone(), 0.0),
-            further: blocks,
+            blocks: Blocks::new(count, mesh.moving(), !mesh.bends.is_empty()),
             descent: Descent::new(count),
             energy: S::ZERO,
         }
@@ -98,7 +91,6 @@ impl<S: Scalar> LineStep<S> {
         at: &Context<'_, S>,
     ) {
         let Clock { time_s, middle_s } = at.clock;
-        self.first.1 = 0.0;
         self.span.begin(nodes, mesh, [time_s, middle_s]);
         let motion = |i: usize| [self.span.base[i].position, self.span.base[i].velocity];
         self.energy = self.span.energy_of(mesh, ground, at.world.gravity, motion, &nodes.directions);
@@ -125,33 +117,41 @@ impl<S: Scalar> LineStep<S> {
         LineEnds { places, directions }: &LineEnds<S>,
         time_s: f64,
     ) -> Result<(), f64> {
-        let Self { span, first: (first, interval_s), rises, further, descent, .. } = self;
+        let Self { span, blocks, rises, descent, .. } = self;
         span.paid[1] = mesh.first() - span.paid[0];
         span.directions = *directions;
-        span.predict(time_s - span.clock[0], *places, mesh.moving().end);
+        let interval_s = time_s - span.clock[0];
+        let is_same_time = interval_s == span.clock[2];
+        if !is_same_time {
+            span.predict(interval_s);
+        }
+        let moved = span.move_ends(*places, mesh.moving().end);
+        if is_same_time {
+            descent.follow(blocks, moved, &mut span.next);
+            let stays = moved.iter().all(|way| way.norm_squared().all(|square| square == 0.0));
+            if stays && mesh.supplied == 0 && mesh.bends.is_empty() {
+                return Ok(());
+            }
+        }
         let [with_new, with_old, longest] =
             [CONVERGED, CONVERGED_WITH_OLD, LONGEST_MOVE].map(|share| mesh.shortest() * S::constant(share));
         descent.begin();
         for iteration in 0..MOST_ITERATIONS {
-            let (with_first, mut may_arrive, mut enough) = (iteration < WITH_FIRST_MATRIX, S::ONE, with_new);
-            let blocks = if with_first { &mut *first } else { &mut *further };
-            if with_first && *interval_s == span.clock[2] {
+            let has_old = if is_same_time { iteration == 0 } else { iteration == 1 };
+            if has_old {
                 span.equations::<false>(blocks, mesh, ground);
-                (may_arrive, enough) = (have_not_jumped(rises, &span.rises), with_old);
+                descent.improve(blocks, &mut span.next, [with_old, longest], have_not_jumped(rises, &span.rises));
             } else {
                 span.equations::<true>(blocks, mesh, ground);
                 blocks.factor();
-                if with_first {
-                    rises.copy_from_slice(&span.rises);
-                    *interval_s = span.clock[2];
-                }
+                rises.copy_from_slice(&span.rises);
+                descent.improve(blocks, &mut span.next, [with_new, longest], S::ONE);
             }
-            descent.improve(blocks, &mut span.next, [enough, longest], may_arrive);
             if descent.has_arrived() {
                 if S::HAS_DERIVATIVES {
-                    span.equations::<true>(further, mesh, ground);
-                    further.factor();
-                    descent.differentiate(further, &mut span.next);
+                    span.equations::<true>(blocks, mesh, ground);
+                    blocks.factor();
+                    descent.differentiate(blocks, &mut span.next);
                 }
                 return Ok(());
             }

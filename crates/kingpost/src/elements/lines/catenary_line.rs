@@ -3,7 +3,7 @@
 use super::catenary::{Catenary, EndForce, Span};
 use super::{declaration_of_line, place, pull_at, shares};
 use crate::dynamics::{LinkKinematics, Loads};
-use crate::elements::{Context, Declaration, Element, Support};
+use crate::elements::{Context, Declaration, DrawnSeabed, Element, Support};
 use crate::model::{Attachment, Model};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
@@ -34,7 +34,8 @@ impl<S: Scalar> Element<S> for CatenaryLine<S> {
 
     fn declare(&self) -> Declaration {
         let mut declared = declaration_of_line(&self.name);
-        declared.lines[0].seabed_m = self.line.on_seabed.then(|| self.anchor[2].value());
+        declared.lines[0].seabed =
+            self.line.on_seabed.then(|| DrawnSeabed { height_m: self.anchor[2].value(), gradient: [0.0; 2] });
         declared
     }
 

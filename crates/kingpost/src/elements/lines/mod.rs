@@ -22,8 +22,7 @@ const POINTS: usize = 49;
 
 /// Returns the declaration of every line: its tensions and its drawn line.
 pub(super) fn declaration_of_line(name: &str) -> Declaration {
-    let drawn =
-        DrawnLine { name: name.to_owned(), style: LineStyle::Line, radius_m: 0.0, points: POINTS, seabed_m: None };
+    let drawn = DrawnLine::thin(name, LineStyle::Line, POINTS);
     Declaration { outputs: outputs(name), lines: vec![drawn], ..Declaration::default() }
 }
 

@@ -179,13 +179,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
             .chain(amplification)
             .chain(self.load_chart.iter().flat_map(|_| LoadChart::<S>::outputs(&self.name)))
             .collect(),
-            lines: vec![DrawnLine {
-                name: self.name.clone(),
-                style: LineStyle::Line,
-                radius_m: 0.0,
-                points,
-                seabed_m: None,
-            }],
+            lines: vec![DrawnLine::thin(&self.name, LineStyle::Line, points)],
             events: EVENTS[..if self.breaking_load.is_some() { PARTS + 1 } else { PARTS }].to_vec(),
             ..Declaration::default()
         }

@@ -50,13 +50,7 @@ impl<S: Scalar> Element<S> for TuggerLine<S> {
                 number("tugger_length", "length of a tugger line from its winch to its end", &["m"]),
                 number("tugger_pay_out_rate", "rate at which the winch of a tugger line pays out", &["m/s"]),
             ],
-            lines: vec![DrawnLine {
-                name: self.name.clone(),
-                style: LineStyle::Line,
-                radius_m: 0.0,
-                points,
-                seabed_m: None,
-            }],
+            lines: vec![DrawnLine::thin(&self.name, LineStyle::Line, points)],
             events: vec![LEAVES_RANGE],
             ..Declaration::default()
         }
