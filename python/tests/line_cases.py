@@ -71,10 +71,16 @@ def hanging(
     return scenario(bodies, forces, simulation={**settings(0.05, 1.0, integrator="rk4"), **simulation})
 
 
+def node_states(elements: int) -> tuple[slice, slice]:
+    """The states that are positions and velocities of the nodes between the ends of the only line. Its states
+    are the last ones; behind them are two energies and two velocities of its ends."""
+    nodes = 2 * elements - 1
+    return slice(-6 * nodes - 8, -3 * nodes - 8), slice(-3 * nodes - 8, -8)
+
+
 def set_velocity(simulation: Simulation, elements: int, velocity_m_s: list[float]) -> None:
-    """Gives all nodes of the only line this velocity. Its states are the last ones: positions and velocities
-    of the nodes between its ends, two energies and two velocities of its ends."""
-    state, nodes = simulation.state, 2 * elements - 1
-    states = state.s.copy()
-    states[-3 * nodes - 8 : -8] = np.tile(velocity_m_s, nodes)
+    """Gives all nodes of the only line this velocity."""
+    state = simulation.state
+    states, (_, velocities) = state.s.copy(), node_states(elements)
+    states[velocities] = np.tile(velocity_m_s, 2 * elements - 1)
     simulation.set_state(state.q, state.v, states)

@@ -11,7 +11,7 @@ import pytest
 from kingpost.verify.models import G, scenario, settings, value
 from kingpost.verify.mooring import elastic_span
 from line_cases import between, of_two_ends, section
-from scipy.integrate import solve_bvp, solve_ivp
+from scipy.integrate import solve_ivp
 from scipy.optimize import brentq, root
 
 DENSITY = 1025.0
@@ -192,12 +192,12 @@ CHAIN = {"mass_kg_per_m": 685.0, "axial_stiffness_N": 3.27e9}
 CHAIN_N_M, CHAIN_EA_N = 685.0 * G, 3.27e9
 
 
-def catenary(length_m: float, across_m: float, up_m: float, grounded: bool) -> tuple[float, float]:
+def catenary(length_m: float, across_m: float, up_m: float) -> tuple[float, float]:
     """Horizontal and vertical force at the upper end of the elastic catenary, N."""
 
     def misses(force: np.ndarray) -> np.ndarray:
         forces = force[0] * CHAIN_N_M, force[1] * CHAIN_N_M
-        span = elastic_span(forces, CHAIN_N_M, length_m, CHAIN_EA_N, grounded)
+        span = elastic_span(forces, CHAIN_N_M, length_m, CHAIN_EA_N)
         return np.subtract(span, (across_m, up_m))
 
     found = root(misses, [across_m / 3, 0.7 * length_m], tol=1e-13).x * CHAIN_N_M
@@ -207,7 +207,7 @@ def catenary(length_m: float, across_m: float, up_m: float, grounded: bool) -> t
 def test_two_meshes_of_a_hanging_line_extrapolate_to_1e_9_of_the_catenary():
     """Source: Irvine, Cable Structures, 1981, ch. 1; Richardson's extrapolation of fourth order."""
     length, across, up = 850.0, 779.6, 186.0
-    exact = float(np.hypot(*catenary(length, across, up, False)))
+    exact = float(np.hypot(*catenary(length, across, up)))
     part = [section(length, elements, **CHAIN) for elements in (10, 20, 40)]
     runs = [kingpost.Simulation(of_two_ends([across, 0, -10], [0, 0, -10 - up], one)) for one in part]
     tensions = [value(run, "line_tension", "line") for run in runs]
@@ -215,67 +215,3 @@ def test_two_meshes_of_a_hanging_line_extrapolate_to_1e_9_of_the_catenary():
     # The next term is of sixth order: 64 times smaller with half the elements, and 4e-10 with 10 and 20.
     assert abs(coarse) < 1e-9
     assert abs(fine) < abs(coarse) / 20
-
-
-LYING_M, LYING_ACROSS_M, LYING_UP_M = 430.0, 400.0, 60.0
-
-
-def on_springs(stiffness: float) -> float:
-    """Tension at the upper end of an elastic line on an elastic ground, N, by collocation to 1e-8.
-
-    The two parts, on the ground and above it, meet at the height of the ground."""
-    pull, lift = catenary(LYING_M, LYING_ACROSS_M, LYING_UP_M, True)
-    lies = LYING_M - lift / CHAIN_N_M
-
-    def rates(_: np.ndarray, at: np.ndarray, found: np.ndarray) -> np.ndarray:
-        out = np.empty_like(at)
-        for first, length in ((0, found[1]), (3, LYING_M - found[1])):
-            _, height, vertical = at[first : first + 3]
-            tension = np.hypot(found[0], vertical)
-            stretch = 1 + tension / CHAIN_EA_N
-            held = stiffness * height if first == 0 else 0 * height
-            of_length = [stretch * found[0] / tension, stretch * vertical / tension, CHAIN_N_M + held]
-            out[first : first + 3] = np.array(of_length) * length
-        return out
-
-    def ends(a: np.ndarray, b: np.ndarray, _: np.ndarray) -> np.ndarray:
-        joined = [a[3] - b[0], a[4], (a[5] - b[2]) / CHAIN_N_M]
-        return np.array([a[0], a[1], b[1], *joined, b[3] - LYING_ACROSS_M, b[4] - LYING_UP_M])
-
-    share = np.linspace(0, 1, 801)
-    guess = np.zeros((6, share.size))
-    guess[0] = share * lies
-    guess[1] = -CHAIN_N_M / stiffness * (1 - np.exp(-30 * share)) * (1 - np.exp(-30 * (1 - share)))
-    guess[5] = CHAIN_N_M * share * (LYING_M - lies)
-    slope = 1 / np.hypot(pull, guess[5]) * (LYING_M - lies) / 800
-    guess[3], guess[4] = lies + np.cumsum(pull * slope), np.cumsum(guess[5] * slope)
-    found = solve_bvp(rates, ends, share, guess, p=[pull, lies], tol=1e-8, max_nodes=40_000)
-    assert found.success, found.message
-    return float(np.hypot(found.p[0], found.y[5, -1]))
-
-
-def test_a_line_on_an_elastic_ground_converges_with_second_order_over_all_places_of_its_touchdown():
-    """Source: the equations of the string with springs below it.
-
-    The support has a kink where the line leaves the ground, somewhere in an element; so single meshes do not
-    extrapolate. The worst of ten meshes does, and their mean has hardly an error."""
-    stiffness = 2e4
-    exact = on_springs(stiffness)
-    seabed = {"depth_m": 70.0, "friction": 0.0, "stiffness_N_per_m3": stiffness / 1e-9}
-    worst, mean = [], []
-    for first in (40, 80, 160):
-        errors = []
-        for elements in range(first, first + 20, 2):
-            part = section(LYING_M, elements, **CHAIN)
-            run = kingpost.Simulation(
-                of_two_ends([LYING_ACROSS_M, 0, -10], [0, 0, -70], part, None, seabed=seabed)
-            )
-            errors.append(value(run, "line_tension", "line") / exact - 1)
-        worst.append(float(np.abs(errors).max()))
-        mean.append(abs(float(np.mean(errors))))
-    # (h / 86 m)^2 / 6 with the length of the hanging part, by Simpson's rule: 2.6e-3 with 40 elements. Twice
-    # as many have a quarter.
-    assert worst[0] < 3e-3
-    assert all(fine < coarse / 3.5 for coarse, fine in itertools.pairwise(worst)), worst
-    # Ten places of the touchdown: a hundredth of the worst.
-    assert all(average < most / 50 for average, most in zip(mean, worst, strict=True)), (mean, worst)
