@@ -186,7 +186,7 @@ impl LoadedHull<'_> {
         }
         if (hull.displacement_kg - hull.mass_kg).abs() > LARGEST_PULL * hull.mass_kg {
             warnings.push(format!(
-                "{body}: it displaces {:.3} t and weighs {:.3} t: other forces that carry or pull it are not included in KG, GM and GZ",
+                "{body}: it displaces {:.3} t and weighs {:.3} t: other forces that carry or pull it, as of moorings and lines over sheaves, are not included in KG, GM and GZ",
                 hull.displacement_kg / 1000.0,
                 hull.mass_kg / 1000.0
             ));

@@ -241,3 +241,46 @@ forces:
     read.setup().expect("it builds");
     read.setup_over::<kingpost::plant::Number>().expect("it builds with derivatives");
 }
+
+/// A load of 80 t on 4000 m of wire, whose unstretched length ends `slack` m below it.
+fn load_on_wire(slack: f64) -> Simulation {
+    let more = format!(
+        "bodies:
+  load: {{mass_t: 80, shape: {{point: {{}}}}, joint: {{prismatic: {{axis: [0, 0, 1], position_m: [0, 0, {}]}}}}}}
+forces:
+  gravity: {{gravity: {{}}}}
+  wire:
+    line:
+      first: {{body: world}}
+      second: {{body: load}}
+      sections: [{{unstretched_length_m: 4000, elements: 8, mass_kg_per_m: 30, diameter_m: 1.0e-6, axial_stiffness_N: 8.0e8}}]
+",
+        slack - 4000.0
+    );
+    Simulation::new(setup(&more))
+}
+
+#[test]
+fn a_load_settles_from_a_slack_wire() {
+    // (m L + mu L^2 / 2) g / EA below the unstretched length.
+    let stretch = (8e4 * 4000.0 + 30.0 * 4000.0 * 4000.0 / 2.0) * G / 8e8;
+    for slack in [3.0, 0.0, -1.0] {
+        let mut run = load_on_wire(slack);
+        run.settle().expect("there is an equilibrium");
+        let moved = -run.state().q[0] - slack;
+        // Rounding of heights of 4 km over the strain.
+        assert!((moved - stretch).abs() < 1e-8, "{slack} {moved} {stretch}");
+    }
+}
+
+#[test]
+fn warns_of_a_wire_that_becomes_slack() {
+    // Released 1 m above its rest, a fifth of the stretch by its weight, the load stays on its wire; 5 m above it falls.
+    let stretch = 8e4 * 4000.0 * G / 8e8;
+    let codes = [1.0, 5.0].map(|above| {
+        let own = 30.0 * 4000.0 * 2000.0 * G / 8e8;
+        let mut run = load_on_wire(above - own - stretch);
+        run.run(|_| true).warnings.iter().map(|warning| warning.code).collect::<Vec<_>>()
+    });
+    assert!(codes[0].is_empty() && codes[1] == ["slack_line"], "{codes:?}");
+}

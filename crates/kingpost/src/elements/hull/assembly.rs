@@ -257,7 +257,11 @@ fn same<S: Quantity>(field: &str, what: &str, found: f64, unit: &str, sea: S) ->
     if sea.all(|sea| found == sea || near(sea)) {
         return Ok(());
     }
-    Err(FieldError::new(field, format!("a {what} {found} {unit}"), format!("that of the sea, {sea} {unit}")))
+    let allowed = match found.is_infinite() {
+        true => format!("a sea without depth_m, which is infinitely deep, or a database for {sea} {unit}"),
+        false => format!("that of the sea, {sea} {unit}"),
+    };
+    Err(FieldError::new(field, format!("a {what} {found} {unit}"), allowed))
 }
 
 /// Share of the waves' energy that may lie outside the frequencies of a table.

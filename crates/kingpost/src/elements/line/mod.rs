@@ -22,6 +22,7 @@ mod nodes;
 mod one_sided;
 mod pay_out;
 mod section;
+mod slack;
 mod span;
 mod statics;
 mod step;
@@ -36,8 +37,8 @@ pub use supply::LineSupply;
 use super::lines::{declaration_of_line, pull_at, shares, velocity};
 use super::ropes::{Drum, RopePath, Station};
 use super::{
-    Advancing, Context, Crossing, Declaration, DrawnSeabed, Element, ElementState, EvaluationMode, Event, Output,
-    RandomDrag, StateDeclaration, Support,
+    Advancing, AnyWatcher, Context, Crossing, Declaration, DrawnSeabed, Element, ElementState, EvaluationMode, Event,
+    Output, RandomDrag, StateDeclaration, Support,
 };
 use crate::dynamics::Loads;
 use crate::model::Attachment;
@@ -47,6 +48,7 @@ use along::outputs_along;
 use bend::LineEnds;
 use mesh::LineMesh;
 use nodes::Nodes;
+use slack::Slack;
 use statics::LineStatics;
 use step::LineStep;
 use supply::Supplied;
@@ -409,6 +411,11 @@ impl<S: Scalar> Element<S> for DynamicLine<S> {
 
     fn random_drag_mut(&mut self) -> Option<&mut dyn RandomDrag<S>> {
         self.has_random_drag().then_some(self as _)
+    }
+
+    fn watchers(&self) -> Vec<AnyWatcher> {
+        let ends = if self.ground.is_some() || self.mesh.free_end { 1 } else { 2 };
+        vec![Box::new(Slack::new(&self.name, ends))]
     }
 
     fn advancing(&mut self) -> Option<&mut dyn Advancing<S>> {
