@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import type { LimitInfo } from "../src/engine/engine";
 import { gravest, LimitTrack, marginOf } from "../src/instruments/limits";
 
-const HEEL: LimitInfo = { name: "heel", column: "hull.roll", unit: "deg", unit_si: Math.PI / 180, at_least: -5, at_most: 5, from_s: 0 };
+const HEEL: LimitInfo = { name: "heel", column: "hull.roll", unit: "deg", unit_si: Math.PI / 180, at_least: -5, at_most: 5, from_s: 0, until_s: null, steps: [] };
 const GAP: LimitInfo = { ...HEEL, name: "gap", column: "gap", unit: "m", unit_si: 1, at_least: 0, at_most: null };
 const deg = (value: number) => [0, (value * Math.PI) / 180];
 
@@ -19,23 +19,30 @@ describe("a limit", () => {
 
   it("a limit is near within a tenth of half its span, and exceeded beyond a bound, on both sides", () => {
     const track = new LimitTrack(HEEL, 1);
-    const states = [0, 4.4, 4.6, -4.6, 5.1, -5.1].map((value) => track.state(0, value));
+    const states = [0, 4.4, 4.6, -4.6, 5.1, -5.1].map((value) => track.state(0, deg(value)));
     expect(states).toEqual(["ok", "ok", "near", "near", "exceeded", "exceeded"]);
   });
 
   it("NaN exceeds a limit", () => {
     expect(marginOf(HEEL, NaN)).toBe(-Infinity);
-    expect(new LimitTrack(HEEL, 1).state(0, NaN)).toBe("exceeded");
+    expect(new LimitTrack(HEEL, 1).state(0, [0, NaN])).toBe("exceeded");
   });
 
   it("a bound of zero is near within a tenth of the largest value so far", () => {
     const track = tracked(GAP, [4, 2, 3]);
-    expect([track.state(3, 1), track.state(3, 0.3), track.state(3, -0.1)]).toEqual(["ok", "near", "exceeded"]);
+    expect([1, 0.3, -0.1].map((value) => track.state(3, [3, value]))).toEqual(["ok", "near", "exceeded"]);
+  });
+
+  it("a limit with steps and an end applies in these steps until its end", () => {
+    const track = new LimitTrack({ ...GAP, until_s: 5, steps: [2, 3] }, 1, 2);
+    expect([[1, -1, 1], [2, -1, 2], [5, -1, 3], [6, -1, 3]].map((row) => track.state(row[0], row))).toEqual(["waiting", "exceeded", "exceeded", "waiting"]);
+    [[1, -9, 1], [2, 4, 2], [3, 3, 2], [6, -2, 2]].forEach((row) => track.see(row[0], row));
+    expect(track.worstUntil(9)).toEqual({ time_s: 3, value: 3 });
   });
 
   it("a limit does not apply before its start time", () => {
     const track = tracked({ ...HEEL, from_s: 2 }, [9, 9, 1]);
-    expect(track.state(1, 9)).toBe("waiting");
+    expect(track.state(1, [1, 9])).toBe("waiting");
     expect(track.worstUntil(1)).toBeNull();
     expect(track.worstUntil(2)).toEqual({ time_s: 2, value: expect.closeTo(1, 12) });
   });

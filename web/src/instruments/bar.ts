@@ -27,7 +27,7 @@ export class LimitBar {
     const { track } = this;
     const { limit } = track;
     const value = track.valueIn(row);
-    const state = track.state(time_s, value);
+    const state = track.state(time_s, row);
     const worst = track.worstUntil(time_s);
     const [low, high] = track.range();
     const place = (at: number) => (100 * (Math.min(high, Math.max(low, at)) - low)) / (high - low);
@@ -38,13 +38,18 @@ export class LimitBar {
     this.mark.hidden = worst === null;
     const shown = withUnit(number(value), limit);
     setText(this.value, shown);
-    setText(this.worst, `${bounds(limit)}. ${worst ? texts.instruments.worst(number(worst.value), fixed(worst.time_s, 1)) : texts.instruments.counts_from(limit.from_s)}`);
+    setText(this.worst, `${bounds(limit)}. ${worst ? texts.instruments.worst(number(worst.value), fixed(worst.time_s, 1)) : whenOf(limit)}`);
     // ARIA values may not have powers of ten.
     const values = { "aria-valuemin": low, "aria-valuemax": high, "aria-valuenow": value };
     for (const [name, one] of Object.entries(values)) this.meter.setAttribute(name, one.toFixed(6));
     this.meter.setAttribute("aria-valuetext", `${shown}, ${texts.instruments.states[state]}`);
     return state;
   }
+}
+
+/** Returns when a limit applies. */
+function whenOf({ from_s, steps }: LimitInfo): string {
+  return steps.length > 0 ? texts.instruments.counts_in_steps : texts.instruments.counts_from(from_s);
 }
 
 function put(element: HTMLElement, from: number, to: number): void {

@@ -11,6 +11,9 @@ import { ReadingTable } from "./reading_table";
 import { paletteChoice, soundSwitch } from "./settings";
 import { ShipDials } from "./ship_dials";
 
+/** Column of the present step of an operation. */
+const STEP = "operation.operation_step";
+
 /** Panel of instruments: heel and trim, the limits of the scenario as bars, and readings for a crane operator. */
 export class Instruments {
   private readonly panel = byId("instruments");
@@ -36,7 +39,7 @@ export class Instruments {
 
   private open(run: Run, rows: Float64Array): void {
     const { model, columns } = run;
-    this.tracks = model.limits.map((limit) => new LimitTrack(limit, columns.at(limit.column)));
+    this.tracks = model.limits.map((limit) => new LimitTrack(limit, columns.at(limit.column), columns.at(STEP)));
     this.bars = this.tracks.map((track) => new LimitBar(track));
     this.states = this.tracks.map(() => "waiting");
     this.see(run, rows);

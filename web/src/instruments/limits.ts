@@ -31,10 +31,19 @@ export class LimitTrack {
   /** Largest magnitude of a value so far: the scale for a bound of zero. */
   private size = 0;
 
+  /** `place` is that of the limit's column in a row, `stepPlace` that of the operation's present step, -1 without one. */
   constructor(
     readonly limit: LimitInfo,
     private readonly place: number,
+    private readonly stepPlace = -1,
   ) {}
+
+  /** Whether the limit applies to a row: by its time, and by the step of the operation. */
+  appliesTo(time_s: number, row: ArrayLike<number>): boolean {
+    const { from_s, until_s, steps } = this.limit;
+    if (time_s < from_s || time_s > (until_s ?? Infinity)) return false;
+    return steps.length === 0 || (this.stepPlace >= 0 && steps.includes(row[this.stepPlace]));
+  }
 
   /** Returns the value in a row, in the unit of the limit. */
   valueIn(row: ArrayLike<number>): number {
@@ -45,7 +54,7 @@ export class LimitTrack {
   see(time_s: number, row: ArrayLike<number>): void {
     const value = this.valueIn(row);
     if (Math.abs(value) > this.size) this.size = Math.abs(value);
-    if (time_s < this.limit.from_s) return;
+    if (!this.appliesTo(time_s, row)) return;
     const last = this.worsts.at(-1);
     if (!last || marginOf(this.limit, value) < marginOf(this.limit, last.value)) this.worsts.push({ time_s, value });
   }
@@ -62,9 +71,9 @@ export class LimitTrack {
     return this.worsts[at] ?? null;
   }
 
-  state(time_s: number, value: number): LimitState {
-    if (time_s < this.limit.from_s) return "waiting";
-    const margin = marginOf(this.limit, value);
+  state(time_s: number, row: ArrayLike<number>): LimitState {
+    if (!this.appliesTo(time_s, row)) return "waiting";
+    const margin = marginOf(this.limit, this.valueIn(row));
     if (margin < 0) return "exceeded";
     return margin < NEAR * this.scale() ? "near" : "ok";
   }

@@ -11,6 +11,8 @@ export interface Bound {
   value: number;
   /** Time from which the bound counts, s. */
   from_s: number;
+  /** Time until which it counts, s. */
+  until_s: number;
 }
 
 /** Line of a plot: its columns, displayed unit, colour and limits. */
@@ -32,11 +34,11 @@ export class DrawnLine {
   ) {
     this.places = line.columns.map((name) => columns.at(name));
     this.shown = shownUnit(line.unit, angle);
-    const own = line.columns.length === 1 ? limits.filter(({ column }) => column === line.columns[0]) : [];
+    const own = line.columns.length === 1 ? limits.filter(({ column, steps }) => column === line.columns[0] && steps.length === 0) : [];
     this.bounds = own.flatMap((limit) =>
       [limit.at_least, limit.at_most]
         .filter((bound) => bound !== null)
-        .map((bound) => ({ name: limit.name.replaceAll("_", " "), value: this.scaled(bound * limit.unit_si), from_s: limit.from_s })),
+        .map((bound) => ({ name: limit.name.replaceAll("_", " "), value: this.scaled(bound * limit.unit_si), from_s: limit.from_s, until_s: limit.until_s ?? Infinity })),
     );
   }
 

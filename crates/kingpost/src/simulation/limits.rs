@@ -4,6 +4,9 @@ use crate::results::Channels;
 use crate::scalar::Scalar;
 use serde::Serialize;
 
+/// Column of the present step of an operation.
+const STEP: &str = "operation.operation_step";
+
 /// A limit on a column of the results.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Limit {
@@ -17,6 +20,10 @@ pub struct Limit {
     pub bounds: [Option<f64>; 2],
     /// Time from which it applies, s.
     pub from_s: f64,
+    /// Time until which it applies, s.
+    pub until_s: f64,
+    /// Numbers of the steps of the operation in which it applies, from 1; none if it applies in all.
+    pub steps: Vec<f64>,
 }
 
 /// Result of a limit: whether the rows of a run so far are within it.
@@ -51,6 +58,8 @@ pub(super) struct Limits {
 struct Held {
     limit: Limit,
     place: usize,
+    /// Place of the number of the present step of the operation.
+    step: Option<usize>,
     /// Worst value, and its time, s.
     worst: Option<[f64; 2]>,
 }
@@ -67,17 +76,27 @@ impl Limit {
     }
 }
 
+impl Held {
+    /// Whether the limit applies to a row.
+    fn applies<S: Scalar>(&self, row: &[S]) -> bool {
+        let Limit { from_s, until_s, steps, .. } = &self.limit;
+        let in_step = || self.step.is_some_and(|place| steps.contains(&row[place].value()));
+        (*from_s..=*until_s).contains(&row[0].value()) && (steps.is_empty() || in_step())
+    }
+}
+
 impl Limits {
     /// Creates the limits on existing columns: the scenario has checked the names.
     pub(super) fn new(limits: Vec<Limit>, channels: &Channels) -> Self {
-        let placed = |limit: Limit| Some(Held { place: channels.place(&limit.column)?, limit, worst: None });
+        let step = channels.place(STEP);
+        let placed = |limit: Limit| Some(Held { place: channels.place(&limit.column)?, limit, step, worst: None });
         Self { held: limits.into_iter().filter_map(placed).collect() }
     }
 
     /// Checks the values of a row.
     pub(super) fn see<S: Scalar>(&mut self, row: &[S]) {
         let time_s = row[0].value();
-        for Held { limit, place, worst } in self.held.iter_mut().filter(|held| time_s >= held.limit.from_s) {
+        for Held { limit, place, worst, .. } in self.held.iter_mut().filter(|held| held.applies(row)) {
             let value = row[*place].value() / limit.unit.1;
             if worst.is_none_or(|[worst, _]| limit.margin(value) < limit.margin(worst)) {
                 *worst = Some([value, time_s]);
@@ -119,6 +138,8 @@ mod tests {
             unit: ("m".to_owned(), 1.0),
             bounds,
             from_s: 0.0,
+            until_s: f64::INFINITY,
+            steps: Vec::new(),
         };
         let beyond = |value: f64| value * (1.0 + f64::EPSILON);
         for (bounds, value, holds) in [
@@ -129,7 +150,7 @@ mod tests {
             ([Some(2.0), Some(2.0)], 2.0, true),
             ([None, Some(2.0)], f64::NAN, false),
         ] {
-            let mut limits = Limits { held: vec![Held { limit: limit(bounds), place: 1, worst: None }] };
+            let mut limits = Limits { held: vec![Held { limit: limit(bounds), place: 1, step: None, worst: None }] };
             limits.see(&[0.0, value]);
             assert_eq!(limits.results()[0].held, Some(holds), "{bounds:?}, {value}");
         }

@@ -43,6 +43,36 @@ pub(super) fn energy_error(run: &mut Simulation, scale: f64) -> f64 {
     values(run, "energy_error")[0].abs() / scale
 }
 
+/// A ball that falls from a height h touches with sqrt(2 g h), then with its speed of rebound.
+#[test]
+fn the_impact_speed_is_that_of_the_latest_touch_with_its_derivative() {
+    let contact = lines(&["stiffness_N_per_m: 1e7", "restitution: 0.5", "friction_coefficient: 0"]);
+    let text = ball(FINE, "position_m: [0, 0, 2.5]", &contact);
+    let mut falling = simulation(&text);
+    assert_eq!(values(&mut falling, "contact_impact_speed"), [0.0]);
+    while times(&falling, "leaves").is_empty() {
+        falling.step(10).expect("it falls");
+    }
+    let impact = (2.0 * G * 2.0).sqrt();
+    // The event is located to 1e-9 of the step.
+    assert!((values(&mut falling, "contact_impact_speed")[0] - impact).abs() < 1e-9);
+    let rebound = falling.state().v[2];
+    while times(&falling, "touches").len() < 2 {
+        falling.step(10).expect("it falls again");
+    }
+    // Steps between the event and the reading change the speed of rebound by g times 2 ms.
+    assert!((values(&mut falling, "contact_impact_speed")[0] - rebound).abs() < 0.03, "{rebound}");
+    let short = text.replace("duration_s: 60", "duration_s: 0.7").replace("step_s: 0.0002", "step_s: 0.002");
+    let scenario = kingpost::scenario::read(&short, "ball.yaml", &[]).expect("it reads");
+    let height = "bodies.ball.joint.floating.initial.position_m.2";
+    let found = kingpost::analysis::gradient(&scenario, &[height], |_| true).expect("a number");
+    let place =
+        found.channels.iter().find(|channel| channel.variable == "contact_impact_speed").expect("a column").offset;
+    let derivative = found.derivatives[0][found.derivatives[0].len() - found.columns + place];
+    // d sqrt(2 g h) / dh; that of the time of an event has the error of a step.
+    assert!((derivative - G / impact).abs() < 2e-3, "{derivative} {}", G / impact);
+}
+
 /// Without gravity, x (1 + e) = ln((1 + x) / (1 - e x)) with x = a v is exact at every speed; at the
 /// reference speed e is the given restitution, for any mass and stiffness.
 #[test]

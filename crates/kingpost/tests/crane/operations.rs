@@ -123,6 +123,67 @@ fn conditions_are_combined_by_all_and_any() {
     assert!((ends(&format!("{{all: [{{after_s: 2}}, {{any: [{far}, {fast}]}}]}}")) - 2.0).abs() < 1e-9);
 }
 
+/// Time at which a step ends in which the lever is thrown every half second.
+fn ends_while_pushed_to_and_fro(until: &str) -> Result<f64, String> {
+    let moves = (0..7).map(|k| format!("{{input: push, to: {}, at_s: {}}}", 1 - 2 * (k % 2), 0.5 * f64::from(k)));
+    let steps =
+        format!("[{{name: shake, set: [{}], time_out_s: 3.5, until: {until}}}]", moves.collect::<Vec<_>>().join(", "));
+    let mut found = simulation(&slide(0.01, &format!("operation: {{steps: {steps}}}\n")));
+    found.run(|_| true).status.map_err(|error| error.to_string())?;
+    Ok(found.events().last().map(|event| event.time_s).expect("it ends"))
+}
+
+#[test]
+fn a_condition_ends_a_step_when_it_has_held_for_a_time_or_begun_a_number_of_times() {
+    // The speed is a triangle between 0 and 2.5 m/s with a period of 1 s: above 2 m/s from 0.4 to 0.6 s, and so on.
+    let fast = "{value: {column: slide.joint_velocity, above: 2.001}}";
+    let ends = |until: &str| ends_while_pushed_to_and_fro(until).expect("it ends");
+    let near = |found: f64, expected: f64| assert!((found - expected).abs() < 1e-9, "{found} {expected}");
+    // Checked at each step of 10 ms; first above at 0.41 s.
+    near(ends(fast), 0.41);
+    near(ends(&format!("{{holds: {{for_s: 0.15, condition: {fast}}}}}")), 0.56);
+    near(ends(&format!("{{count: {{times: 3, condition: {fast}}}}}")), 2.41);
+    near(ends(&format!("{{count: {{times: 2, condition: {{holds: {{for_s: 0.15, condition: {fast}}}}}}}}}")), 1.56);
+    near(
+        ends(&format!(
+            "{{any: [{{count: {{times: 9, condition: {fast}}}}}, {{holds: {{for_s: 0.1, condition: {fast}}}}}]}}"
+        )),
+        0.51,
+    );
+    let never =
+        ends_while_pushed_to_and_fro(&format!("{{holds: {{for_s: 0.3, condition: {fast}}}}}")).expect_err("0.2 s");
+    assert!(never.contains("found a condition that has held for 0.09 s, allowed: at least 0.3 s"), "{never}");
+    let rare =
+        ends_while_pushed_to_and_fro(&format!("{{count: {{times: 5, condition: {fast}}}}}")).expect_err("4 times");
+    assert!(rare.contains("found a condition that began to hold 4 times, allowed: at least 5"), "{rare}");
+}
+
+#[test]
+fn a_condition_compares_two_columns() {
+    // The cage is beyond y = 0 after the first step.
+    let ends = |value: &str| ends_while_pushed_to_and_fro(&format!("{{value: {value}}}"));
+    let beyond = ends("{column: slide.joint_position, above_column: cage.position.y}").expect("it ends");
+    assert!((beyond - 0.01).abs() < 1e-9, "{beyond}");
+    let error = ends("{column: slide.joint_position, below_column: cage.position.y}").expect_err("it never does");
+    assert!(error.contains("allowed: below cage.position.y, 0 m"), "{error}");
+}
+
+#[test]
+fn a_snapshot_between_two_touches_keeps_their_count() {
+    let until = "{count: {times: 3, condition: {value: {column: slide.joint_velocity, above: 2.001}}}}";
+    let moves = (0..7).map(|k| format!("{{input: push, to: {}, at_s: {}}}", 1 - 2 * (k % 2), 0.5 * f64::from(k)));
+    let moves = moves.collect::<Vec<_>>().join(", ");
+    let text = slide(0.01, &format!("operation: {{steps: [{{name: shake, set: [{moves}], until: {until}}}]}}\n"));
+    let (mut whole, mut parted) = (simulation(&text), simulation(&text));
+    parted.step(150).expect("it moves");
+    let kept = parted.snapshot();
+    parted.step(150).expect("it moves");
+    parted.restore(&kept).expect("its own");
+    parted.step(150).expect("it moves");
+    whole.step(300).expect("it moves");
+    assert_eq!(whole.state(), parted.state());
+}
+
 #[test]
 fn a_condition_that_is_never_met_ends_the_run_and_is_named() {
     let steps = "[{name: push on, set: [{input: push, to: 1}], time_out_s: 0.5, until: {any: [{value: {column: \
@@ -197,16 +258,22 @@ fn limits_report_whether_they_held_and_the_worst_value_with_its_time() {
   place: {{column: slide.joint_position, at_least: -1, at_most: 7}}
   late: {{column: slide.joint_velocity, at_most: 0.1, from_s: 3}}
   never: {{column: slide.joint_velocity, at_most: 0.1, from_s: 30}}
+  coasting: {{column: slide.joint_velocity, at_most: 4.99, steps: [coast]}}
+  braking: {{column: slide.joint_position, at_most: 3, steps: [brake, rest]}}
+  early: {{column: slide.joint_velocity, at_most: 4.6, until_s: 0.9}}
   off: {{enabled: false, column: slide.joint_velocity, at_most: 0.1}}
 "
     );
     let found = run(&slide(0.01, &rest)).limits();
-    let [speed, place, late, never] = &found[..] else { panic!("{found:?}") };
+    let [speed, place, late, never, coasting, braking, early] = &found[..] else { panic!("{found:?}") };
     assert_eq!((speed.held, speed.at_least, speed.at_most), (Some(false), Some(-4.9), Some(4.9)));
     assert!((speed.worst.unwrap() - 5.0).abs() < 1e-9 && (speed.worst_time_s.unwrap() - 1.0).abs() < 1e-9);
     assert_eq!(place.held, Some(true));
     assert!((place.worst.unwrap() - 6.55).abs() < 0.03, "{place:?}");
     assert_eq!((late.held, never.held, never.worst), (Some(true), None, None));
+    assert!(coasting.held == Some(false) && (1.0..1.31).contains(&coasting.worst_time_s.unwrap()), "{coasting:?}");
+    assert!(braking.held == Some(false) && (braking.worst.unwrap() - 6.55).abs() < 0.03, "{braking:?}");
+    assert_eq!(early.held, Some(true));
 }
 
 #[test]
@@ -225,7 +292,23 @@ fn a_mistake_in_an_operation_is_refused_at_its_place() {
         ("{name: a, until: {all: []}}", "operation.steps.0.until.all: found none, allowed: at least one condition"),
         (
             "{name: a, until: {value: {column: slide.joint_position}}}",
-            "operation.steps.0.until.value: found no bound, allowed: above, below or both",
+            "operation.steps.0.until.value: found no bound, allowed: above or below, above_column or below_column, or one of each",
+        ),
+        (
+            "{name: a, until: {value: {column: slide.joint_position, above_column: slide.joint_velocity}}}",
+            "operation.steps.0.until.value.above_column: found slide.joint_velocity, in m/s, allowed: a column in m",
+        ),
+        (
+            "{name: a, until: {value: {column: slide.joint_position, above: 1, above_column: cage.position.y}}}",
+            "operation.steps.0.until.value.above_column: found with above, allowed: one of the two",
+        ),
+        (
+            "{name: a, until: {count: {times: 0, condition: {after_s: 1}}}}",
+            "operation.steps.0.until.count.times: found 0, allowed: 1 or more",
+        ),
+        (
+            "{name: a, time_out_s: 4, until: {any: [{holds: {for_s: 5, condition: {after_s: 1}}}, {after_s: 6}]}}",
+            "operation.steps.0.time_out_s: found 4, allowed: at least 6 s, the least duration of its condition",
         ),
         (
             "{name: a, until: {value: {column: slide.joint_position, above: 2, below: 1}}}",
@@ -273,6 +356,14 @@ fn a_mistake_in_a_limit_is_refused_at_its_place() {
         (
             "{column: slide.joint_velocity, at_most: 1, at_least: 2}",
             "limits.a.at_least: found 2, allowed: not more than at_most, 1",
+        ),
+        (
+            "{column: slide.joint_velocity, at_most: 1, from_s: 3, until_s: 2}",
+            "limits.a.until_s: found 2, allowed: more than from_s, 3 s",
+        ),
+        (
+            "{column: slide.joint_velocity, at_most: 1, steps: [coast]}",
+            "limits.a.steps.0: found coast, allowed: a scenario with an operation, which has steps",
         ),
         ("{column: cage.jont_velocity, at_most: 1}", "limits.a.column: found cage.jont_velocity, allowed: "),
         ("{column: slide.joint_velocity, at_most: 1, unit: deg}", "limits.a.unit: found deg, allowed: m/s"),

@@ -10,6 +10,7 @@ export const instruments = {
   rise: "vertical speed",
   worst: (value: string, time_s: string) => `Worst value ${value} at ${time_s} s`,
   counts_from: (time_s: number) => `Applies from ${time_s} s on`,
+  counts_in_steps: "Applies in its steps of the operation",
   within: (bound: string) => `Within ±${bound}`,
   between: (low: string, high: string) => `From ${low} to ${high}`,
   at_most: (bound: string) => `At most ${bound}`,

@@ -12,6 +12,7 @@ export const instruments: Texts["instruments"] = {
   rise: "vertikal hastighet",
   worst: (value, time_s) => `Verste verdi ${value} ved ${time_s} s`,
   counts_from: (time_s) => `Gjelder fra ${time_s} s`,
+  counts_in_steps: "Gjelder i sine steg av operasjonen",
   within: (bound) => `Innenfor ±${bound}`,
   between: (low, high) => `Fra ${low} til ${high}`,
   at_most: (bound) => `Høyst ${bound}`,

@@ -8,7 +8,7 @@ use super::mesh::{LineMesh, LineMeshElement};
 use super::nodes::tangents;
 use super::one_sided::positive;
 use super::section::WetPart;
-use super::strain::{gauss, slopes, strained, sum};
+use super::strain::{gauss, slopes, strained};
 use crate::elements::Context;
 use crate::elements::lines::{Catenary, Span, length_and_direction};
 use crate::scalar::Scalar;
@@ -91,18 +91,7 @@ impl<S: Scalar> LineStatics<S> {
         if !self.found {
             self.positions.fill(Vector3(core::array::from_fn(|_| S::constant(f64::NAN))));
         }
-        // A slack part has no shape of rest to begin with: in one that is straight and folded, the fold is an equilibrium.
-        self.found &= self.is_taut(mesh);
         &self.positions
-    }
-
-    /// Whether all points of the line are stretched.
-    fn is_taut(&self, mesh: &LineMesh<S>) -> bool {
-        (0..self.positions.len() - 1).all(|k| {
-            let places = [0, 1, 2].map(|i| self.positions[k / 2 * 2 + i]);
-            let way = sum(&slopes(gauss(k), mesh.elements[k / 2].length), &places);
-            way.norm_squared().all(|square| square > 1.0)
-        })
     }
 
     /// Moves the nodes to rest by Newton's method, from where they are. Returns whether they have arrived.

@@ -1,7 +1,7 @@
 //! The timeline of an operation.
 
 use crate::elements::Operation;
-use crate::elements::operation::{ColumnRange, Condition, Move, OperationStep};
+use crate::elements::operation::{Bound, ColumnRange, Condition, Move, OperationStep};
 use crate::elements::{Input, Layout};
 use crate::scenario::assembly::FieldError;
 use crate::scenario::assembly::columns::{self, Column};
@@ -80,10 +80,14 @@ impl Reader<'_> {
             }
         }
         let until = match &step.until {
-            Some(until) => self.condition(&format!("{field}.until"), until)?,
+            Some(until) => self.condition(&format!("{field}.until"), until, &mut 0)?,
             None => Condition::After(last_s),
         };
         let time_out_s = step.time_out_s.map(|time| time.get());
+        if let Some(found) = time_out_s.filter(|time_out_s| *time_out_s < until.least_s()) {
+            let allowed = format!("at least {} s, the least duration of its condition", until.least_s());
+            return Err(FieldError::new(format!("{field}.time_out_s"), found, allowed));
+        }
         Ok(OperationStep { name: step.name.clone(), moves, until, time_out_s })
     }
 
@@ -125,39 +129,88 @@ impl Reader<'_> {
         Ok((input, one))
     }
 
-    fn condition(&mut self, field: &str, given: &schema::Condition) -> Result<Condition, FieldError> {
+    /// Reads a condition; `kept` numbers of the step are taken, and more after it.
+    fn condition(&mut self, field: &str, given: &schema::Condition, kept: &mut usize) -> Result<Condition, FieldError> {
+        let place = *kept;
         let mut several = |kind: &str, given: &[schema::Condition]| {
             if given.is_empty() {
                 return Err(FieldError::new(format!("{field}.{kind}"), "none", "at least one condition"));
             }
             let each = given.iter().enumerate();
-            each.map(|(k, one)| self.condition(&format!("{field}.{kind}.{k}"), one)).collect::<Result<Vec<_>, _>>()
+            each.map(|(k, one)| self.condition(&format!("{field}.{kind}.{k}"), one, kept))
+                .collect::<Result<Vec<_>, _>>()
         };
         Ok(match given {
             schema::Condition::AfterS(time) => Condition::After(time.get()),
             schema::Condition::All(all) => Condition::All(several("all", all)?),
             schema::Condition::Any(any) => Condition::Any(several("any", any)?),
             schema::Condition::Value(range) => Condition::Column(self.range(&format!("{field}.value"), range)?),
+            schema::Condition::Holds(given) => {
+                *kept += 1;
+                let part = self.condition(&format!("{field}.holds.condition"), &given.condition, kept)?;
+                Condition::Holds(given.for_s.get(), place, Box::new(part))
+            }
+            schema::Condition::Count(given) => {
+                if given.times == 0 {
+                    return Err(FieldError::new(format!("{field}.count.times"), 0, "1 or more"));
+                }
+                *kept += 2;
+                let part = self.condition(&format!("{field}.count.condition"), &given.condition, kept)?;
+                Condition::Count(given.times, place, Box::new(part))
+            }
         })
     }
 
+    /// Returns the index of a column among those that the operation reads.
+    fn place(&mut self, name: &str) -> usize {
+        self.columns.iter().position(|known| known == name).unwrap_or_else(|| {
+            self.columns.push(name.to_owned());
+            self.columns.len() - 1
+        })
+    }
+
+    /// Returns a bound, from a number or another column with this unit.
+    fn bound(
+        &mut self,
+        [field, side]: [&str; 2],
+        (number, other): (Option<f64>, Option<&str>),
+        column: &Column,
+    ) -> Result<Option<Bound>, FieldError> {
+        let named = || format!("{field}.{side}_column");
+        match (number, other) {
+            (None, None) => Ok(None),
+            (Some(number), None) => Ok(Some(Bound::Number(number))),
+            (Some(_), Some(_)) => Err(FieldError::new(named(), format!("with {side}"), "one of the two")),
+            (None, Some(name)) => {
+                let found = columns::find(&self.known, &named(), name)?;
+                if found.unit != column.unit {
+                    let allowed = format!("a column in {}", column.unit);
+                    return Err(FieldError::new(named(), format!("{name}, in {}", found.unit), allowed));
+                }
+                Ok(Some(Bound::Column(name.to_owned(), self.place(name))))
+            }
+        }
+    }
+
     fn range(&mut self, field: &str, given: &schema::ColumnRange) -> Result<ColumnRange, FieldError> {
-        let column = columns::find(&self.known, &format!("{field}.column"), &given.column)?;
+        let column = columns::find(&self.known, &format!("{field}.column"), &given.column)?.clone();
         let factor = columns::factor(&format!("{field}.unit"), given.unit.as_deref(), column.unit)?;
-        match (given.above, given.below) {
-            (None, None) => return Err(FieldError::new(field, "no bound", "above, below or both")),
-            (Some(above), Some(below)) if above >= below => {
+        let others = [&given.above_column, &given.below_column].map(|other| other.as_ref().map(|name| &**name));
+        let above = self.bound([field, "above"], (given.above, others[0]), &column)?;
+        let below = self.bound([field, "below"], (given.below, others[1]), &column)?;
+        match (&above, &below) {
+            (None, None) => {
+                let allowed = "above or below, above_column or below_column, or one of each";
+                return Err(FieldError::new(field, "no bound", allowed));
+            }
+            (Some(Bound::Number(above)), Some(Bound::Number(below))) if above >= below => {
                 return Err(FieldError::new(format!("{field}.above"), above, format!("less than below, {below}")));
             }
             _ => {}
         }
-        let known = self.columns.iter().position(|known| *known == *given.column);
-        let place = known.unwrap_or_else(|| {
-            self.columns.push(given.column.to_string());
-            self.columns.len() - 1
-        });
+        let place = self.place(&given.column);
         let unit = (given.unit.clone().unwrap_or_else(|| column.unit.to_owned()), factor);
-        Ok(ColumnRange { column: given.column.to_string(), place, above: given.above, below: given.below, unit })
+        Ok(ColumnRange { column: given.column.to_string(), place, above, below, unit })
     }
 }
 

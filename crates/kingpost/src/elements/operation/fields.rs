@@ -58,9 +58,31 @@ pub enum Condition {
     All(Vec<Condition>),
     /// One of these holds.
     Any(Vec<Condition>),
+    /// A condition has held without a break for a time.
+    Holds(Box<HoldingCondition>),
+    /// A condition has begun to hold a number of times: at the third touch.
+    Count(Box<CountedCondition>),
 }
 
-/// A range of a column of the results: above a bound, below one, or both.
+/// A condition that holds without a break for a time.
+#[fields]
+pub struct HoldingCondition {
+    /// The time, s.
+    pub for_s: Positive,
+    /// The condition.
+    pub condition: Condition,
+}
+
+/// A condition that begins to hold a number of times since the start of the step.
+#[fields]
+pub struct CountedCondition {
+    /// The number; a condition that holds at the start of the step has begun once.
+    pub times: u32,
+    /// The condition.
+    pub condition: Condition,
+}
+
+/// A range of a column of the results: above a bound, below one, or both. A bound is a number or another column.
 #[fields]
 pub struct ColumnRange {
     /// The column by its name in the table of results: `hook.position.z`, `hoist_rope.rope_tension`.
@@ -69,6 +91,10 @@ pub struct ColumnRange {
     pub above: Option<f64>,
     /// The value is below this.
     pub below: Option<f64>,
+    /// The value is above that of this column, which has the same unit.
+    pub above_column: Option<ColumnName>,
+    /// The value is below that of this column, which has the same unit.
+    pub below_column: Option<ColumnName>,
     /// Unit of the bounds: the column's SI unit, or deg, deg/s, kN, kN m, t and so on instead; without it, the SI unit.
     pub unit: Option<String>,
 }
@@ -92,6 +118,11 @@ pub struct Limit {
     /// Time from which the limit applies, s; without it, from the start.
     #[serde(default)]
     pub from_s: NonNegative,
+    /// Time until which the limit applies, s; without it, to the end.
+    pub until_s: Option<Positive>,
+    /// Names of the steps of the operation in which the limit applies; without them, in all and without an operation.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub steps: Vec<String>,
 }
 
 /// No moves.

@@ -4,7 +4,7 @@ pub(crate) mod assembly;
 mod condition;
 pub(crate) mod fields;
 
-pub use condition::{ColumnRange, Condition};
+pub use condition::{Bound, ColumnRange, Condition, Now};
 
 use crate::elements::{Context, Declaration, Element, ElementState, Occurrence, Output};
 use crate::scalar::Scalar;
@@ -55,7 +55,8 @@ pub struct Move<S = f64> {
 const TIME_SLACK: f64 = 1e-9;
 /// The only mode: the current step, from 1; 0 before the first, the number of steps plus 1 after the last.
 const STEP: usize = 0;
-/// Numbers: start time of the step, s, and from [`FROM`] on the value of each input at that time.
+/// Numbers: start time of the step, s; from [`FROM`] on the value of each input at that time, and then those of the condition
+/// of the step.
 const BEGAN: usize = 0;
 const FROM: usize = 1;
 
@@ -73,8 +74,10 @@ impl<S: Scalar> Element<S> for Operation<S> {
             &self.name,
             &["1"],
         );
+        let most = self.steps.iter().map(|step| step.until.numbers()).max().unwrap_or(0);
+        let of_condition = (0..most).map(|k| format!("condition_{}", k + 1));
         Declaration {
-            numbers: core::iter::once("step_began".to_owned()).chain(from).collect(),
+            numbers: core::iter::once("step_began".to_owned()).chain(from).chain(of_condition).collect(),
             modes: vec!["step".to_owned()],
             outputs: vec![step],
             reads: self.columns.clone(),
@@ -109,13 +112,15 @@ impl<S: Scalar> Element<S> for Operation<S> {
                     .map_or(now, |(from, one)| one.value(from, elapsed_s + 0.5 * self.step_s));
             }
             let elapsed_s = elapsed_s + TIME_SLACK * self.step_s;
-            if step.until.holds(elapsed_s, &columns) {
+            let (now, kept) = (Now { elapsed_s, columns: &columns }, &mut own.numbers[FROM + self.inputs.len()..]);
+            step.until.observe(now, kept);
+            if step.until.holds(now, kept) {
                 happened.push(self.go_on(time_s, own, inputs));
                 continue;
             }
             match step.time_out_s {
                 Some(time_out_s) if elapsed_s >= time_out_s => {
-                    let missing = step.until.missing(elapsed_s, &columns);
+                    let missing = step.until.missing(now, kept);
                     return Err(format!("step {:?} did not end within {time_out_s} s: {missing}", step.name));
                 }
                 _ => break,
@@ -145,8 +150,13 @@ impl<S: Scalar> Operation<S> {
     fn go_on(&self, time_s: f64, own: &mut ElementState<'_, S>, inputs: &[S]) -> Occurrence {
         own.modes[STEP] += 1;
         own.numbers[BEGAN] = S::constant(time_s);
-        own.numbers[FROM..].copy_from_slice(inputs);
-        match self.step(own.modes[STEP]) {
+        let (from, kept) = own.numbers[FROM..].split_at_mut(inputs.len());
+        from.copy_from_slice(inputs);
+        let next = self.step(own.modes[STEP]);
+        if let Some(step) = next {
+            step.until.begin(kept);
+        }
+        match next {
             Some(step) => Occurrence { code: "step_begins", what: format!("begins {:?}", step.name) },
             None => Occurrence { code: "operation_ends", what: "ends".to_owned() },
         }

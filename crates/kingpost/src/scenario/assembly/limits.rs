@@ -4,6 +4,7 @@ use super::super::schema::{self, Scenario};
 use super::FieldError;
 use super::columns;
 use crate::scenario::leaf::Quantity;
+use crate::scenario::wording::one_of_with_hint;
 use crate::simulation::{Limit, Setup};
 
 /// Returns the enabled limits.
@@ -16,9 +17,35 @@ pub fn of<S: Quantity>(scenario: &Scenario<S>, setup: &Setup<S>) -> Result<Vec<L
         let bounds = bounds(name, given)?;
         let unit = (given.unit.clone().unwrap_or_else(|| column.unit.to_owned()), factor);
         let (name, column) = (name.to_string(), given.column.to_string());
-        Ok(Limit { name, column, unit, bounds, from_s: given.from_s.get() })
+        let (from_s, until_s) = (given.from_s.get(), given.until_s.map_or(f64::INFINITY, |until| until.get()));
+        if until_s <= from_s {
+            return Err(FieldError::new(field("until_s"), until_s, format!("more than from_s, {from_s} s")));
+        }
+        let steps = steps(scenario, &given.steps, &field)?;
+        Ok(Limit { name, column, unit, bounds, from_s, until_s, steps })
     };
     scenario.limits.iter().filter(|(_, limit)| limit.enabled).map(one).collect()
+}
+
+/// Returns the numbers of the steps of the operation with these names, from 1.
+fn steps<S: Quantity>(
+    scenario: &Scenario<S>,
+    names: &[String],
+    field: &dyn Fn(&str) -> String,
+) -> Result<Vec<f64>, FieldError> {
+    let known = scenario.operation.as_ref().map_or(&[][..], |operation| &operation.steps);
+    let mut numbers = Vec::new();
+    for (k, name) in names.iter().enumerate() {
+        let before = numbers.len();
+        numbers.extend(known.iter().zip(1_u32..).filter(|(step, _)| step.name == *name).map(|(_, n)| f64::from(n)));
+        if numbers.len() == before {
+            let known: Vec<&str> = known.iter().map(|step| step.name.as_str()).collect();
+            let none = || "a scenario with an operation, which has steps".to_owned();
+            let allowed = if known.is_empty() { none() } else { one_of_with_hint(&known, name) };
+            return Err(FieldError::new(field(&format!("steps.{k}")), name, allowed));
+        }
+    }
+    Ok(numbers)
 }
 
 /// Returns the lower and the upper bound.

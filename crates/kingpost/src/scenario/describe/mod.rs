@@ -160,6 +160,10 @@ pub struct LimitDescription {
     pub at_most: Option<f64>,
     /// Time from which it applies, s.
     pub from_s: f64,
+    /// Time until which it applies, s; absent if it does to the end.
+    pub until_s: Option<f64>,
+    /// Numbers of the steps of the operation in which it applies, from 1; none if it applies in all.
+    pub steps: Vec<f64>,
 }
 
 /// A parameter of the scenario, with its value.
@@ -285,9 +289,10 @@ fn describe_point(model: &Model, place: &Attachment) -> PointDescription {
 }
 
 fn describe_limit(
-    Limit { name, column, unit: (unit, unit_si), bounds: [at_least, at_most], from_s }: Limit,
+    Limit { name, column, unit: (unit, unit_si), bounds: [at_least, at_most], from_s, until_s, steps }: Limit,
 ) -> LimitDescription {
-    LimitDescription { name, column, unit, unit_si, at_least, at_most, from_s }
+    let until_s = until_s.is_finite().then_some(until_s);
+    LimitDescription { name, column, unit, unit_si, at_least, at_most, from_s, until_s, steps }
 }
 
 fn describe_parameter((parameter, value): (&Parameter, Option<ParameterValue>)) -> ParameterDescription {
