@@ -51,6 +51,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Run the missing units and print the results."""
+    from ..study.seeds import SeedCount
     from ..study.study import Study
     from ..study.summary import of_plan, plan_lines
 
@@ -69,6 +70,8 @@ def run(options: argparse.Namespace) -> int:
         show(options, lambda: "\n".join(plan_lines(about)), lambda: about)
         note(options, f"\nto run it       kingpost study {options.study} -o DIR")
         return DONE
+    if few := SeedCount.of(study.plan).warning():
+        warn([f"{WARNING}{few}"])
     folder = Path(options.output)
     again = f"kingpost study {options.study} -o {folder} --resume goes on"
     try:
@@ -158,10 +161,12 @@ def _limiting(study: Study, folder: Path) -> list[str]:
     from ..study.limiting.runs import limiting_heights
     from ..study.store.reading import open_results
 
+    if "significant_height" not in study.plan.sea or not study.plan.limits:
+        return []
     try:
         heights = limiting_heights(open_results(folder))
-    except KingpostError:
-        return []
+    except KingpostError as error:
+        return ["", f"limiting significant height: none: {error}"]
     return ["", *limiting.heights(heights), *_shares(study, heights)]
 
 

@@ -3,7 +3,7 @@ operable share of a scatter table."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -44,11 +44,21 @@ def heights(found: xarray.Dataset) -> list[str]:
     for at in list(np.ndindex(of_all.shape))[:MOST_ROWS]:
         values = (_value(of_all[at][name].item()) for name in names)
         rows.append((*values, height_text(found, at), str(governs[at].item()) or "-"))
-    accepted = f"{100 * found.attrs['acceptance']:g} % in {found.attrs['operation_s']:g} s"
+    accepted = accepted_text(found.attrs)
     more = of_all.size - MOST_ROWS
     tail = [f"and {more} rows more: --json prints all"] if more > 0 else []
     aligned = table(rows, ">" * (len(names) + 1) + "<")
     return [f"limiting significant height, accepted probability {accepted}", *aligned, *tail]
+
+
+def accepted_text(about: Mapping[Hashable, Any]) -> str:
+    """Format the accepted probability and the exposure of limiting heights, from their attributes.
+
+    >>> accepted_text({"acceptance": 0.1, "operation_s": 1800.0}), accepted_text({"acceptance": 0.1, "one_off": 1})
+    ('10 % in 1800 s', '10 % in an operation')
+    """
+    exposure = "an operation" if about.get("one_off") else f"{about['operation_s']:g} s"
+    return f"{100 * about['acceptance']:g} % in {exposure}"
 
 
 def height_text(found: xarray.Dataset, at: tuple[int, ...]) -> str:

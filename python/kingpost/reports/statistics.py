@@ -10,6 +10,7 @@ import numpy as np
 from ..analysis import pooling, statistics
 from ..errors import KingpostError
 from ..results.entries import scenario_of
+from ..results.operation_steps import happens_once
 from ..results.units import engineering
 from ..simulation.batch import FINISHED
 from . import outcomes
@@ -47,8 +48,7 @@ def start_s(results: xarray.Dataset, after_s: float | None) -> float:
 def exposure_s(results: xarray.Dataset, after_s: float | None) -> float:
     """Duration of the extremes: the length of the record for an operation, which is carried out once;
     otherwise three hours."""
-    operation = scenario_of(results).get("operation")
-    if operation and operation.get("enabled", True):
+    if happens_once(scenario_of(results)):
         return float(results["time"].values[-1]) - start_s(results, after_s)
     return statistics.THREE_HOURS_S
 

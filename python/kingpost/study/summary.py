@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
+from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, TypedDict
 
@@ -14,6 +15,7 @@ from ..simulation.outcomes import kind_of
 from .design.job import WarningCount
 from .design.plan import Plan
 from .reduce import ENDED_EARLY, EXCEEDED, FINISHED, HELD, NOT_BUILT, NOT_RUN, UNKNOWN
+from .seeds import SeedCount, kind_of_runs
 from .store import layout
 from .store.reading import open_results
 
@@ -37,6 +39,9 @@ class PlanSummary(TypedDict):
     after_s: float
     columns: int
     limits: list[str]
+    statistics: str
+    seed_count: dict[str, float]
+    about_seeds: list[str]
 
 
 class EndedRun(TypedDict):
@@ -74,7 +79,7 @@ class ResultSummary(TypedDict):
 
 def of_plan(plan: Plan) -> PlanSummary:
     """Summarise the runs that a study will make."""
-    settings = plan.scenario.resolved["simulation"]
+    settings, count = plan.scenario.resolved["simulation"], SeedCount.of(plan)
     return {
         "title": plan.file.content["title"],
         "scenario": plan.scenario.title,
@@ -86,6 +91,9 @@ def of_plan(plan: Plan) -> PlanSummary:
         "after_s": plan.kept.after_s,
         "columns": len(plan.columns),
         "limits": [limit.name for limit in plan.limits],
+        "statistics": kind_of_runs(plan),
+        "seed_count": asdict(count),
+        "about_seeds": list(count.sentences()),
     }
 
 
@@ -144,6 +152,9 @@ def plan_lines(about: PlanSummary) -> Iterator[str]:
     after = f", statistics after {about['after_s']:g} s" if about["after_s"] else ""
     of = f"{about['duration_s']:g} s{after}: {about['cases']} cases, {seeds}"
     yield f"runs            {about['runs']} of {of}"
+    yield f"statistics      {about['statistics']}"
+    for heading, words in zip(("seeds", ""), about["about_seeds"], strict=False):
+        yield f"{heading:<16}{words}"
     for name, values in about["axes"].items():
         yield f"axis            {name}: {_listed(values)}"
     limits = f"; limits: {', '.join(about['limits'])}" if about["limits"] else ""

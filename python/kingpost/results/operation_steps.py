@@ -1,0 +1,42 @@
+"""Steps of an operation, from the resolved scenario of a run."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+COLUMN = "operation.operation_step"
+"""Column with the number of the current step."""
+AFTER = "after the operation"
+"""Name of the time after the end of the last step."""
+
+
+def steps_of(scenario: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+    """List the steps of a resolved scenario's operation; empty without an enabled one.
+
+    >>> steps_of({"operation": {"enabled": True, "steps": [{"name": "hold"}]}})
+    [{'name': 'hold'}]
+    """
+    operation = scenario.get("operation")
+    return list(operation["steps"]) if operation and operation.get("enabled", True) else []
+
+
+def happens_once(scenario: Mapping[str, Any]) -> bool:
+    """Whether a run is an operation that happens once: the scenario has an enabled operation. The largest
+    value of a run is then a sample, and is not extrapolated to another duration.
+
+    >>> happens_once({"operation": None}), happens_once({"operation": {"steps": [{"name": "lift off"}]}})
+    (False, True)
+    """
+    return bool(steps_of(scenario))
+
+
+def step_names(scenario: Mapping[str, Any]) -> list[str]:
+    """Names of the steps, and `AFTER` if the last step ends.
+
+    >>> step_names({"operation": {"steps": [{"name": "lift", "until": {"after_s": 5}}, {"name": "hold"}]}})
+    ['lift', 'hold']
+    """
+    steps = steps_of(scenario)
+    ends = bool(steps) and bool(steps[-1].get("set") or steps[-1].get("until"))
+    return [str(step["name"]) for step in steps] + [AFTER] * ends
