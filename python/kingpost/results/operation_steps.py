@@ -17,8 +17,7 @@ def steps_of(scenario: Mapping[str, Any]) -> list[Mapping[str, Any]]:
     >>> steps_of({"operation": {"enabled": True, "steps": [{"name": "hold"}]}})
     [{'name': 'hold'}]
     """
-    operation = scenario.get("operation")
-    return list(operation["steps"]) if operation and operation.get("enabled", True) else []
+    return list(scenario["operation"]["steps"]) if happens_once(scenario) else []
 
 
 def happens_once(scenario: Mapping[str, Any]) -> bool:
@@ -28,7 +27,8 @@ def happens_once(scenario: Mapping[str, Any]) -> bool:
     >>> happens_once({"operation": None}), happens_once({"operation": {"steps": [{"name": "lift off"}]}})
     (False, True)
     """
-    return bool(steps_of(scenario))
+    operation = scenario.get("operation")
+    return operation is not None and bool(operation.get("enabled", True))
 
 
 def step_names(scenario: Mapping[str, Any]) -> list[str]:

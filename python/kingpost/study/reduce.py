@@ -114,11 +114,11 @@ def _of_steps(kept: Kept) -> dict[str, Variable]:
         "step_extremes": Variable(dims, shape, "f8", nan, "extremes of columns in a step"),
     }
     if kept.limits:
-        dims, by_limit = ("step", "limit"), (steps, len(kept.limits))
+        by_limit = (("step", "limit"), (steps, len(kept.limits)))
         found["step_limit_worst"] = Variable(
-            dims, by_limit, "f8", nan, "value in a step nearest to a bound or farthest beyond one"
+            *by_limit, "f8", nan, "value in a step nearest to a bound or farthest beyond one"
         )
-        found["step_limit_time"] = Variable(dims, by_limit, "f8", nan, "time of this value, s")
+        found["step_limit_time"] = Variable(*by_limit, "f8", nan, "time of this value, s")
     return found
 
 

@@ -62,14 +62,14 @@ class SeedCount:
         """Yield what the seeds are enough for."""
         if not self.one_off:
             yield (
-                f"{self.found} of each case; {self.for_estimate} or more give an extreme of a stationary run, "
-                "10 or more a useful interval"
+                f"{self.found} of each case; {self.for_estimate} or more give an extreme of a stationary "
+                "run, 10 or more a useful interval"
             )
             return
         accepted, sure = f"{100 * self.acceptance:g} %", f"{100 * CONFIDENCE:g} %"
         yield (
-            f"{self.found} of each case; {self.for_estimate} give the value that is exceeded with {accepted}, "
-            f"{self.for_interval} its {sure} interval"
+            f"{self.found} of each case; {self.for_estimate} give the value that is exceeded with "
+            f"{accepted}, {self.for_interval} its {sure} interval"
         )
         yield (
             f"{self.without_exceedance} without an exceedance show at most {accepted} at {sure} confidence; "

@@ -7,9 +7,9 @@
   extrapolated;
 - `Joined`: the largest value of several parts of an operation, each of one of these kinds.
 
-Those of stationary runs have quantiles for the length of an operation and intervals that hold their confidence from five runs on.
-Runs are independent, peaks of one run are not: so the jackknife leaves out whole runs to find the
-uncertainty.
+Those of stationary runs have quantiles for the length of an operation and intervals that hold their
+confidence from five runs on. Runs are independent, peaks of one run are not: so the jackknife leaves out
+whole runs to find the uncertainty.
 """
 
 from .gumbel import EULER, THREE_HOURS_S, Extreme, extreme

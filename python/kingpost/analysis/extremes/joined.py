@@ -71,11 +71,14 @@ class Joined:
 
     def interval(self, probability: float, confidence: float = 0.9) -> tuple[float, float]:
         """Confidence interval of a quantile: the levels whose interval of the exceedance ends at it."""
-        low, high = (
-            self._level(lambda level: self.exceedance_interval(level, confidence)[end], 1 - probability)
-            for end in (0, 1)
-        )
-        return low, high
+
+        def least(level: float) -> float:
+            return self.exceedance_interval(level, confidence)[0]
+
+        def most(level: float) -> float:
+            return self.exceedance_interval(level, confidence)[1]
+
+        return self._level(least, 1 - probability), self._level(most, 1 - probability)
 
     def _level(self, exceedance: Callable[[float], float], wanted: float) -> float:
         """Least level at which a falling probability is at most `wanted`."""

@@ -118,6 +118,11 @@ def one_off(maxima: ArrayLike) -> OneOff:
     maxima
         The largest value of each realisation, two or more.
 
+    Returns
+    -------
+    OneOff
+        The distribution.
+
     Raises
     ------
     KingpostError
@@ -138,6 +143,18 @@ def seeds_without_exceedance(probability: float, confidence: float = 0.9) -> int
     It is the least n with (1 - p)^n <= 1 - c, ln(1 - c) / ln(1 - p) rounded up (Wilks, *Ann. Math. Stat.*
     12, 1941, p. 91).
 
+    Parameters
+    ----------
+    probability
+        p, of an exceedance in one operation.
+    confidence
+        c.
+
+    Returns
+    -------
+    int
+        The number of seeds.
+
     >>> seeds_without_exceedance(0.1), seeds_without_exceedance(0.05, 0.95)
     (22, 59)
     """
@@ -149,6 +166,18 @@ def seeds_without_exceedance(probability: float, confidence: float = 0.9) -> int
 def seeds_for_interval(probability: float, confidence: float = 0.9) -> int:
     """Number of seeds from which the quantile 1 - `probability` has a two-sided interval with finite ends.
 
+    Parameters
+    ----------
+    probability
+        Probability of an exceedance in one operation.
+    confidence
+        Confidence of the interval.
+
+    Returns
+    -------
+    int
+        The number of seeds.
+
     >>> seeds_for_interval(0.1), seeds_for_interval(0.5)
     (29, 5)
     """
@@ -158,6 +187,16 @@ def seeds_for_interval(probability: float, confidence: float = 0.9) -> int:
 def seeds_for_quantile(probability: float) -> int:
     """Number of seeds from which the quantile 1 - `probability` lies inside of the realisations, by the
     place of `OneOff.quantile`.
+
+    Parameters
+    ----------
+    probability
+        Probability of an exceedance in one operation.
+
+    Returns
+    -------
+    int
+        The number of seeds.
 
     >>> seeds_for_quantile(0.1)
     7

@@ -32,8 +32,8 @@ class Parts:
 
 
 def parts(file: StudyFile, scenario: Mapping[str, Any]) -> Parts:
-    """Find the parts of a study's runs: a scenario with an enabled operation happens once, but for the steps in
-    `stationary_steps`; `one_off` in the study decides otherwise.
+    """Find the parts of a study's runs: a scenario with an enabled operation happens once, except for the
+    steps in `stationary_steps`; `one_off` in the study decides otherwise.
 
     Parameters
     ----------

@@ -1,4 +1,5 @@
-"""Distribution of the largest excess of a limit's column over its bound in a case, over the seeds."""
+"""Distribution of the largest value of a quantity in a case, over the seeds: of a limit's excess over its
+bound, or of a column."""
 
 from __future__ import annotations
 
@@ -17,25 +18,25 @@ if TYPE_CHECKING:
     Numbers = NDArray[np.float64]
 
 SMALLEST_SPREAD = 1e-12
-"""Smallest spread of values over the seeds, as a share of their size; with a smaller one they are constant."""
+"""Smallest spread of values over the seeds, as a share of their size; below it they are constant."""
 
 
 @dataclass(frozen=True)
-class Excess:
-    """Excess of the worst values of limits over their bounds, in the limits' units; negative inside them.
+class Maxima:
+    """Largest values of quantities in runs and in the steps of their operation.
 
     Attributes
     ----------
     of_run
-        In the whole run, along runs and limits.
+        In the whole run, along runs and quantities.
     of_steps
-        In each step of the operation, along runs, steps and limits; None without steps.
+        In each step of the operation, along runs, steps and quantities; no steps without an operation.
     most
-        Largest excess that the column's physical bounds allow, along limits; infinite without bounds.
-    lengths_s
-        Time for which each limit is evaluated in a step, along runs, steps and limits.
+        Largest value that the physical bounds of the column allow, along quantities; infinite without bounds.
     record_s
-        Time for which each limit is evaluated in a run, s.
+        Time for which each quantity is evaluated in a run, s.
+    steps_s
+        Time for which each quantity is evaluated in a step, along runs, steps and quantities.
     stationary_s
         Duration to which each step is extrapolated; NaN for one that happens once.
     one_off
@@ -43,46 +44,62 @@ class Excess:
     """
 
     of_run: Numbers
-    of_steps: Numbers | None
+    of_steps: Numbers
     most: Numbers
-    lengths_s: Numbers | None
     record_s: Numbers
+    steps_s: Numbers
     stationary_s: Numbers
     one_off: bool
 
     @classmethod
-    def of(cls, results: xarray.Dataset) -> Excess:
-        """Take the excess from the results of a study."""
+    def of_limits(cls, results: xarray.Dataset) -> Maxima:
+        """Excess of the worst values of limits over their bounds, in the limits' units; negative inside."""
         least, most = results["at_least"].values, results["at_most"].values
-        steps = "step_limit_worst" in results
-        return cls(
-            _beyond(results["limit_worst"].transpose("run", "limit").values, least, most),
-            _beyond(results["step_limit_worst"].transpose("run", "step", "limit").values, least, most)
-            if steps
-            else None,
-            _largest_possible(results, least, most),
-            _lengths_s(results) if steps else None,
-            _records_s(results),
-            results["stationary_s"].values if "stationary_s" in results.coords else np.empty(0),
-            bool(results.attrs.get("one_off", 0)),
-        )
+        of_run = np.fmax(_worst(results, "limit_worst") - most, least - _worst(results, "limit_worst"))
+        duration_s, after_s = (float(results.attrs[name]) for name in ("duration_s", "after_s"))
+        from_s = np.full(len(least), after_s)
+        if "limit_from_s" in results.coords:
+            from_s = np.maximum(results["limit_from_s"].values, after_s)
+        of_steps = np.empty((len(of_run), 0, len(least)))
+        if "step_limit_worst" in results:
+            worst = _worst(results, "step_limit_worst")
+            of_steps = np.fmax(worst - most, least - worst)
+        possible = _largest_excess(results, least, most)
+        return cls(of_run, of_steps, possible, _positive(duration_s - from_s), *_of_steps(results, from_s))
 
-    def largest(self, runs: NDArray[np.intp], limit: int, operation_s: float) -> Largest | None:
-        """Distribution of the largest excess of a limit over the runs of a case; None if it is not known.
+    @classmethod
+    def of_columns(cls, results: xarray.Dataset, sign: float) -> Maxima:
+        """Largest values of the columns, or the negative smallest ones for a sign of -1; SI units."""
+        statistic = "maximum" if sign > 0 else "minimum"
+        of_run = sign * results["statistics"].sel(statistic=statistic).transpose("run", "column").values
+        columns = of_run.shape[1]
+        from_s = np.full(columns, float(results.attrs["after_s"]))
+        of_steps = np.empty((len(of_run), 0, columns))
+        if "step_extremes" in results:
+            chosen = results["step_extremes"].sel(extreme=statistic)
+            of_steps = sign * chosen.transpose("run", "step", "column").values
+        possible = np.array(
+            [max(sign * end for end in bounds(str(name))) for name in results["column"].values]
+        )
+        record_s = float(results.attrs["duration_s"]) - from_s
+        return cls(of_run, of_steps, possible, record_s, *_of_steps(results, from_s))
+
+    def largest(self, runs: NDArray[np.intp], k: int, operation_s: float) -> Largest | None:
+        """Distribution of the largest value of a quantity over the runs of a case; None if it is not known.
 
         A run that is stationary as a whole is extrapolated to `operation_s`. Of a run that happens once, its
         steps that happen once give the sample, each stationary step is extrapolated to its duration, and the
         two are joined.
         """
         if not self.one_off:
-            return _stationary(self.of_run[runs, limit], self.record_s[limit], operation_s)
+            return _stationary(self.of_run[runs, k], self.record_s[k], operation_s)
         held = np.flatnonzero(np.isfinite(self.stationary_s))
-        if not len(held) or self.of_steps is None or self.lengths_s is None:
-            return _once(self.of_run[runs, limit])
-        steps = self.of_steps[runs, :, limit]
+        if not len(held):
+            return _once(self.of_run[runs, k])
+        steps = self.of_steps[runs, :, k]
         found = [_once(_fmax(np.delete(steps, held, axis=1)))] if len(held) < steps.shape[1] else []
         for step in held:
-            lasts_s = float(np.nanmean(self.lengths_s[runs, step, limit]))
+            lasts_s = float(np.mean(self.steps_s[runs, step, k]))
             found.append(_stationary(steps[:, step], lasts_s, float(self.stationary_s[step])))
         known = [part for part in found if part is not None]
         if len(known) < len(found):
@@ -108,11 +125,13 @@ def _fmax(values: Numbers) -> Numbers:
     return np.fmax.reduce(values, axis=-1)
 
 
-def _beyond(worst: Numbers, least: Numbers, most: Numbers) -> Numbers:
-    return np.fmax(worst - most, least - worst)
+def _worst(results: xarray.Dataset, name: str) -> Numbers:
+    dims = ("run", "step", "limit") if name.startswith("step") else ("run", "limit")
+    worst: Numbers = results[name].transpose(*dims).values
+    return worst
 
 
-def _largest_possible(results: xarray.Dataset, least: Numbers, most: Numbers) -> Numbers:
+def _largest_excess(results: xarray.Dataset, least: Numbers, most: Numbers) -> Numbers:
     if "limit_unit_si" not in results.coords or "limit_column" not in results.coords:
         return np.full(len(least), np.inf)
     of_columns = np.array([bounds(str(name)) for name in results["limit_column"].values])
@@ -120,16 +139,16 @@ def _largest_possible(results: xarray.Dataset, least: Numbers, most: Numbers) ->
     return np.fmax(high - most, least - low)
 
 
-def _records_s(results: xarray.Dataset) -> Numbers:
-    """Time for which each limit is evaluated in a run, s."""
-    duration_s, after_s = (float(results.attrs[name]) for name in ("duration_s", "after_s"))
-    if "limit_from_s" not in results.coords:
-        return np.full(results.sizes["limit"], duration_s - after_s)
-    left_s: Numbers = duration_s - np.maximum(results["limit_from_s"].values, after_s)
-    return np.where(left_s > 0, left_s, np.nan)
-
-
-def _lengths_s(results: xarray.Dataset) -> Numbers:
+def _of_steps(results: xarray.Dataset, from_s: Numbers) -> tuple[Numbers, Numbers, bool]:
+    """Time for which each quantity is evaluated in each step, the duration to which each step is
+    extrapolated, and whether a run happens once."""
+    one_off = bool(results.attrs.get("one_off", 0))
+    if "step_begin" not in results:
+        return np.empty((results.sizes["run"], 0, len(from_s))), np.empty(0), one_off
     begin, end = (results[name].transpose("run", "step").values for name in ("step_begin", "step_end"))
-    left_s: Numbers = end[..., None] - np.maximum(begin[..., None], results["limit_from_s"].values)
-    return np.where(left_s > 0, left_s, np.nan)
+    lengths_s = _positive(end[..., None] - np.maximum(begin[..., None], from_s))
+    return lengths_s, results["stationary_s"].values, one_off
+
+
+def _positive(durations_s: Numbers) -> Numbers:
+    return np.where(durations_s > 0, durations_s, np.nan)

@@ -12,7 +12,7 @@ from ...analysis.extremes import seeds_for_quantile
 from ...errors import KingpostError
 from ...results.entries import axes_of, sea_attributes, sea_of
 from ..reduce import FINISHED, NOT_RUN
-from .largest import Excess
+from .largest import Maxima
 
 if TYPE_CHECKING:
     import xarray
@@ -89,7 +89,7 @@ def limiting_heights(
     acceptance = float(results.attrs["acceptance"] if acceptance is None else acceptance)
     if not 0 < acceptance < 1:
         raise KingpostError(f"acceptance: found {acceptance:g}, allowed: between 0 and 1")
-    excess = Excess.of(results)
+    excess = Maxima.of_limits(results)
     if excess.one_off and operation_s is not None:
         allowed = "none for runs that happen once"
         raise KingpostError(f"operation_s: found {operation_s:g}, allowed: {allowed}")
@@ -182,13 +182,13 @@ def _grid(results: xarray.Dataset, axes: list[str], fewest: int) -> tuple[NDArra
 
 
 def _of_cases(
-    excess: Excess,
+    excess: Maxima,
     grid: NDArray[np.intp],
     status: NDArray[np.int8],
     by: tuple[float, float, float],
 ) -> Numbers:
-    """Quantile of the largest excess, the upper and the lower end of its interval, and the probability that it
-    is above 0, along limits and axes.
+    """Quantile of the largest excess, the upper and the lower end of its interval, and the probability that
+    it is above 0, along limits and axes.
 
     `grid` and `status` are along axes and seeds; `by` has the accepted probability, the duration of the
     operation and the confidence.
@@ -204,7 +204,7 @@ def _of_cases(
 
 
 def _of_one(
-    excess: Excess, runs: NDArray[np.intp], limit: int, by: tuple[float, float, float]
+    excess: Maxima, runs: NDArray[np.intp], limit: int, by: tuple[float, float, float]
 ) -> tuple[float, float, float, float]:
     acceptance, operation_s, confidence = by
     largest, most = excess.largest(runs, limit, operation_s), float(excess.most[limit])
