@@ -3,7 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 COLUMN = "operation.operation_step"
 """Column with the number of the current step."""
@@ -32,7 +37,8 @@ def happens_once(scenario: Mapping[str, Any]) -> bool:
 
 
 def step_names(scenario: Mapping[str, Any]) -> list[str]:
-    """Names of the steps, and `AFTER` if the last step ends.
+    """Names of the steps, and `AFTER` if the last step ends: one without moves and a condition lasts to the
+    end of the run.
 
     >>> step_names({"operation": {"steps": [{"name": "lift", "until": {"after_s": 5}}, {"name": "hold"}]}})
     ['lift', 'hold']
@@ -40,3 +46,26 @@ def step_names(scenario: Mapping[str, Any]) -> list[str]:
     steps = steps_of(scenario)
     ends = bool(steps) and bool(steps[-1].get("set") or steps[-1].get("until"))
     return [str(step["name"]) for step in steps] + [AFTER] * ends
+
+
+def rows_of_step(number: NDArray[np.float64], k: int, steps: int) -> NDArray[np.intp]:
+    """Places of the rows of a step, from the number of the step in each row.
+
+    Parameters
+    ----------
+    number
+        The column `COLUMN`.
+    k
+        Place of the step among `step_names`.
+    steps
+        Number of these names; the last one has all rows to the end of the run.
+
+    Returns
+    -------
+    numpy.ndarray
+        Places, rising.
+
+    >>> rows_of_step(np.array([1.0, 1.0, 3.0]), 1, 2).tolist()
+    [2]
+    """
+    return np.flatnonzero(number >= k + 1 if k + 1 == steps else number == k + 1)

@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..results.operation_steps import rows_of_step
+
 EXTREMES = ("maximum", "minimum", "time_of_maximum", "time_of_minimum")
 
 
@@ -62,8 +64,9 @@ def reduce_steps(
         Bounds of the limits.
     """
     time_s, number, x = rows
-    for k in range(into["step_begin"].shape[1]):
-        at = np.flatnonzero(number == k + 1)
+    steps = into["step_begin"].shape[1]
+    for k in range(steps):
+        at = rows_of_step(number, k, steps)
         if not len(at):
             continue
         into["step_begin"][run, k] = time_s[at[0]]

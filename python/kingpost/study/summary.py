@@ -52,7 +52,8 @@ class EndedRun(TypedDict):
 
 
 class LimitSummary(TypedDict):
-    """Number of runs in which a limit held, and the worst value with its run and the run's overrides."""
+    """Number of runs in which a limit held, and the worst value with its run, its time and the run's
+    overrides."""
 
     name: str
     column: str
@@ -62,6 +63,7 @@ class LimitSummary(TypedDict):
     unknown: int
     worst: float | None
     worst_run: int | None
+    worst_time_s: float | None
     worst_in: dict[str, ParameterValue]
 
 
@@ -75,6 +77,7 @@ class ResultSummary(TypedDict):
     ends: list[EndedRun]
     limits: list[LimitSummary]
     warnings: list[WarningCount]
+    cut_short: str
 
 
 def of_plan(plan: Plan) -> PlanSummary:
@@ -110,7 +113,25 @@ def of_results(folder: Path, plan: Plan) -> ResultSummary:
         "ends": [{"run": run, "text": ends[run]} for run in sorted(ends)],
         "limits": [_limit(found, k, plan) for k in range(len(plan.limits))],
         "warnings": _warnings(folder),
+        "cut_short": unfinished_operations(found),
     }
+
+
+def unfinished_operations(found: xarray.Dataset) -> str:
+    """Describe the runs that end before the last step of their operation; empty if there are none.
+
+    >>> import xarray
+    >>> of = {"status": ("run", [0, 0]), "step_begin": (("run", "step"), [[0.0, 9.0], [0.0, np.nan]])}
+    >>> unfinished_operations(xarray.Dataset(of, {"step_name": ("step", ["lift off", "hold"])}))
+    "1 of 2 runs end before the operation's 'hold': let simulation.duration_s be longer"
+    """
+    if "step_begin" not in found:
+        return ""
+    finished = found["status"].values == FINISHED
+    short = int((finished & np.isnan(found["step_begin"].values[:, -1])).sum())
+    name = str(found["step_name"].values[-1])
+    of = f"{short} of {int(finished.sum())} runs end before the operation's {name!r}"
+    return f"{of}: let simulation.duration_s be longer" if short else ""
 
 
 def _limit(found: xarray.Dataset, k: int, plan: Plan) -> LimitSummary:
@@ -129,6 +150,7 @@ def _limit(found: xarray.Dataset, k: int, plan: Plan) -> LimitSummary:
         "unknown": int((held == UNKNOWN).sum()),
         "worst": None if run is None else float(worst[run]),
         "worst_run": run,
+        "worst_time_s": None if run is None else float(found["limit_time"].values[run, k]),
         "worst_in": {} if run is None else dict(plan.overrides(run)),
     }
 
@@ -174,6 +196,8 @@ def result_lines(found: ResultSummary, runs: int) -> Iterator[str]:
 
 def warning_lines(found: ResultSummary, runs: int) -> Iterator[str]:
     """Yield the important warnings, one per line."""
+    if found["cut_short"]:
+        yield f"warning: {found['cut_short']}"
     if found["ends"]:
         first = found["ends"][0]
         yield f"warning, in {len(found['ends'])} of {runs} runs, first run {first['run']}: {first['text']}"
@@ -187,8 +211,8 @@ def _limit_words(limit: LimitSummary) -> str:
     """The outcome of a limit in one line.
 
     >>> _limit_words({"name": "lift", "held": 1, "exceeded": 1, "worst": 0.5, "unit": "1", "worst_run": 61,
-    ...               "worst_in": {"hs": 2.0}})
-    'lift held in 1 of 2 runs, worst 0.5 in run 61 (hs 2)'
+    ...               "worst_in": {"hs": 2.0}, "worst_time_s": 12.5})
+    'lift held in 1 of 2 runs, worst 0.5 at 12.5 s in run 61 (hs 2)'
     """
     judged = limit["held"] + limit["exceeded"]
     words = f"{limit['name']} held in {limit['held']} of {judged} runs"
@@ -197,7 +221,7 @@ def _limit_words(limit: LimitSummary) -> str:
     where = ", ".join(f"{name} {_shown(value)}" for name, value in limit["worst_in"].items())
     unit = "" if limit["unit"] == "1" else f" {limit['unit']}"
     worst = f"{limit['worst']:.4g}{unit}"
-    return f"{words}, worst {worst} in run {limit['worst_run']} ({where})"
+    return f"{words}, worst {worst} at {limit['worst_time_s']:.6g} s in run {limit['worst_run']} ({where})"
 
 
 def _listed(values: list[ParameterValue]) -> str:

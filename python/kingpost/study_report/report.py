@@ -20,7 +20,7 @@ from ..study.screening.cases import of_plan
 from ..study.seeds import SeedCount, kind_of_runs
 from ..study.store import layout
 from ..study.store.reading import open_results
-from ..study.summary import of_results
+from ..study.summary import of_results, unfinished_operations
 from . import extremes, limiting, model, origin, pdf, runs, steps
 from .blocks import Report, html
 
@@ -143,9 +143,10 @@ def _verdict(plan: Plan, results: xarray.Dataset, by_runs: xarray.Dataset | str)
     elif finite.size:
         least = f"{finite.min():.2f} m" if finite.min() > 0 else f"below {smallest:g} m"
         most = f"{finite.max():.2f} m" if finite.max() < largest else f"above {largest:g} m"
+        both = least if least == most else f"{least} to {most}"
         yield (
-            f"The limiting significant height, at an accepted probability of {accepted}, is {least} to "
-            f"{most}; {governs[counts.argmax()]} governs most often."
+            f"The limiting significant height, at an accepted probability of {accepted}, is {both}; "
+            f"{governs[counts.argmax()]} governs most often."
         )
 
 
@@ -155,6 +156,8 @@ def _doubts(plan: Plan, results: xarray.Dataset) -> Iterator[str]:
     missing = int((status == -1).sum())
     if missing:
         yield f"The study is not complete: {missing} of {status.size} runs have not run."
+    if cut_short := unfinished_operations(results):
+        yield f"{cut_short}."
     if few := SeedCount.of(plan).warning():
         yield f"{few[0].upper()}{few[1:]}."
     yield (

@@ -13,6 +13,7 @@ from .. import link
 from ..analysis.range_graphs import lines_with_points
 from ..errors import KingpostError
 from ..reports import plot
+from ..reports.load_chart import cranes_with_chart, load_chart_figure
 from ..reports.range_graph import range_graph_figure
 from ..reports.tables import unit_cell
 from ..results.units import engineering
@@ -137,12 +138,15 @@ def section(
     blocks += [limits_table(runs, axes)] if "limit" in runs.sizes else []
     blocks += warnings_table(came_of["warnings"], runs.sizes["run"])
     drawn: set[int] = set()
-    for one in worst_runs(runs)[:MOST_WORST]:
+    worst = worst_runs(runs)[:MOST_WORST]
+    charted = next((one for one in worst if one.column.endswith(".load_utilisation")), *worst[:1])
+    for one in worst:
         scenario = scenario_of(one.run)
         recorded = run(scenario)
         blocks += _worst(one, case_text(runs, one.run, axes), recorded, scenario, app)
         if one.run not in drawn:
             blocks += range_graphs(one.run, recorded)
+            blocks += load_charts(one.run, recorded) if one.run == charted.run else []
             drawn.add(one.run)
     return Section("runs", "Limits and the worst runs", blocks)
 
@@ -157,6 +161,20 @@ def range_graphs(number: int, recorded: xarray.Dataset) -> list[Block]:
             f"Tension over the arc length of lines in run {number}",
             f"Range graphs of the lines in run {number}: least, mean and largest tension.",
             f"Command: {_again(number)}, then kingpost plot run_{number}.nc --range-graph -o lines.svg.",
+        )
+    ]
+
+
+def load_charts(number: int, recorded: xarray.Dataset) -> list[Block]:
+    """Picture of the path of a run on the load charts of its cranes; none without a chart."""
+    if not cranes_with_chart(recorded):
+        return []
+    return [
+        Picture.of(
+            load_chart_figure(recorded),
+            f"Hook load over radius on the load chart in run {number}",
+            f"Load chart, rated load over radius, with the hook load of run {number}; circles begin steps.",
+            f"Command: {_again(number)}, then kingpost plot run_{number}.nc --load-chart -o chart.svg.",
         )
     ]
 

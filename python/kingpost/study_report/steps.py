@@ -77,7 +77,8 @@ def _shares(runs: xarray.Dataset) -> NDArray[np.float64]:
     found = np.full(worst.shape, np.nan)
     for limit, (least, most) in enumerate(bounds):
         of = worst[..., limit]
-        found[..., limit] = np.vectorize(utilisation, otypes=[float])(of, least, most)
+        shares = [utilisation(value, least, most) for value in of.ravel().tolist()]
+        found[..., limit] = np.reshape(shares, of.shape)
     return found
 
 

@@ -13,7 +13,7 @@ whole runs to find the uncertainty.
 """
 
 from .gumbel import EULER, THREE_HOURS_S, Extreme, extreme
-from .joined import Joined, Largest
+from .joined import Constant, Joined, Largest
 from .one_off import (
     OneOff,
     one_off,
@@ -28,6 +28,7 @@ __all__ = [
     "DISTRIBUTIONS",
     "EULER",
     "THREE_HOURS_S",
+    "Constant",
     "Extreme",
     "Joined",
     "Largest",

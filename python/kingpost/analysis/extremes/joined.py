@@ -30,6 +30,35 @@ class Largest(Protocol):
 
 
 @dataclass(frozen=True)
+class Constant:
+    """Largest value that is the same in all realisations.
+
+    Attributes
+    ----------
+    value
+        The value.
+    """
+
+    value: float
+
+    def quantile(self, probability: float) -> float:
+        """Return the value."""
+        return self.value
+
+    def interval(self, probability: float, confidence: float = 0.9) -> tuple[float, float]:
+        """Return the value twice."""
+        return self.value, self.value
+
+    def exceedance(self, level: float) -> float:
+        """Probability that the value exceeds `level`, 1 or 0."""
+        return float(self.value > level)
+
+    def exceedance_interval(self, level: float, confidence: float = 0.9) -> tuple[float, float]:
+        """Return this probability twice."""
+        return self.exceedance(level), self.exceedance(level)
+
+
+@dataclass(frozen=True)
 class Joined:
     """Distribution of the largest value of an operation from those of its parts: the product of their
     distributions, P(x) = P_1(x) P_2(x) ....

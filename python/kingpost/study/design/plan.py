@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Sequence
-from dataclasses import astuple, dataclass
+from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from functools import cached_property
 from itertools import islice
@@ -110,7 +110,6 @@ class Plan:
         """Digests of everything that determines the numbers, by part."""
         kept = self.kept
         recorded = [kept.columns, kept.peaks, kept.keep, kept.cycles, kept.slopes, kept.after_s]
-        recorded += [kept.steps, [astuple(one) for one in kept.bounds]]
         parts = {
             "scenario": self.scenario.resolved,
             "files": self.scenario.digests,

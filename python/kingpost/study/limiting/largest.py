@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ...analysis.extremes import Joined, Largest, extreme, one_off
+from ...analysis.extremes import Constant, Joined, Largest, extreme, one_off
 from ...results.bounds import bounds
 
 if TYPE_CHECKING:
@@ -108,16 +108,18 @@ class Maxima:
 
 
 def _once(values: Numbers) -> Largest | None:
-    return one_off(values) if np.isfinite(values).all() else None
+    """Order statistics, or a constant; None if a run has no value."""
+    return _constant(values) or (one_off(values) if np.isfinite(values).all() else None)
 
 
 def _stationary(values: Numbers, record_s: float, duration_s: float) -> Largest | None:
-    """Gumbel distribution, or that of a constant; None if a run has no value."""
-    if not np.isfinite(values).all():
-        return None
-    if np.ptp(values) <= SMALLEST_SPREAD * np.abs(values).max(initial=0.0):
-        return one_off(np.full(len(values), values[0]))
-    return extreme(values, record_s, duration_s)
+    """Gumbel distribution, or a constant; None if a run has no value."""
+    return _constant(values) or (extreme(values, record_s, duration_s) if np.isfinite(values).all() else None)
+
+
+def _constant(values: Numbers) -> Constant | None:
+    size = np.abs(values).max(initial=0.0)
+    return Constant(float(values[0])) if np.ptp(values) <= SMALLEST_SPREAD * size else None
 
 
 def _fmax(values: Numbers) -> Numbers:
