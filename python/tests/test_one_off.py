@@ -61,8 +61,8 @@ def test_a_gumbel_distribution_would_not_cover_the_quantile_of_a_bounded_operati
 
 
 def test_the_numbers_of_seeds_are_those_of_the_binomial_distribution() -> None:
-    """Source: ln(1 - c) / ln(1 - p); 59 for 5 % at 95 % is Wilks's number. The largest of 29 values is an upper
-    limit of the quantile 0.9 at 95 %, that of 28 is not."""
+    """Source: ln(1 - c) / ln(1 - p); 59 for 5 % at 95 % is Wilks's number. The largest of 29 values is an
+    upper limit of the quantile 0.9 at 95 %, that of 28 is not."""
     assert extremes.seeds_without_exceedance(0.05, 0.95) == 59
     assert extremes.seeds_without_exceedance(0.1, 0.9) == 22
     assert extremes.seeds_without_exceedance(0.5, 0.5) == 1
@@ -74,7 +74,9 @@ def test_the_numbers_of_seeds_are_those_of_the_binomial_distribution() -> None:
 def test_the_quantile_needs_the_seeds_that_are_said() -> None:
     fewest = extremes.seeds_for_quantile(0.1)
     assert one_off(np.arange(fewest)).quantile(0.9) <= fewest - 1
-    with pytest.raises(KingpostError, match=r"realisations: found 6, allowed: 7 or more for the quantile 0\.9"):
+    with pytest.raises(
+        KingpostError, match=r"realisations: found 6, allowed: 7 or more for the quantile 0\.9"
+    ):
         one_off(np.arange(fewest - 1)).quantile(0.9)
 
 
