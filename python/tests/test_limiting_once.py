@@ -16,7 +16,7 @@ from kingpost.study.design import file
 from kingpost.study.design.parts import parts
 from kingpost.study.design.plan import plan
 from kingpost.study.limiting.runs import limiting_heights
-from kingpost.study.seeds import SeedCount, kind_of_runs
+from kingpost.study.seeds import SeedCount, kind_of_runs, too_few
 from kingpost.study_report.limiting_figure import draw
 from scipy import stats
 
@@ -210,7 +210,7 @@ def test_the_plan_says_how_many_seeds_its_accepted_probability_needs() -> None:
     assert (count.found, count.without_exceedance, count.for_interval) == (10, 22, 29)
     # 1 - 0.9^10 = 0.65.
     assert "10 show it at 65 %" in " ".join(count.sentences())
-    assert count.warning() is not None
+    assert too_few(found).startswith("seeds: found 10 of each case, 29 give the value that is exceeded with")
     assert kind_of_runs(found).endswith("but hold to 600 s")
 
 

@@ -51,7 +51,6 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Run the missing units and print the results."""
-    from ..study.seeds import SeedCount
     from ..study.study import Study
     from ..study.summary import of_plan, plan_lines
 
@@ -70,8 +69,6 @@ def run(options: argparse.Namespace) -> int:
         show(options, lambda: "\n".join(plan_lines(about)), lambda: about)
         note(options, f"\nto run it       kingpost study {options.study} -o DIR")
         return DONE
-    if few := SeedCount.of(study.plan).warning():
-        warn([f"{WARNING}{few}"])
     folder = Path(options.output)
     again = f"kingpost study {options.study} -o {folder} --resume goes on"
     try:
@@ -128,10 +125,13 @@ def _run(
 ) -> None:
     from .. import progress
     from ..study.running.run import run
+    from ..study.seeds import too_few
 
     with ExitStack() as shown:
 
         def begin(runs: int) -> Callable[[float], None]:
+            if few := too_few(study.plan):
+                warn([f"{WARNING}{few}"])
             return shown.enter_context(progress.bar(runs, "runs"))
 
         run(study.plan, folder, executor, options.workers, options.resume, part, begin)

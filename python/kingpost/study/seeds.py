@@ -76,14 +76,23 @@ class SeedCount:
             f"{self.found} show it at {100 * (1 - (1 - self.acceptance) ** self.found):.0f} %"
         )
 
-    def warning(self) -> str | None:
-        """The warning that there are too few seeds; None if there are enough."""
-        if self.found >= self.for_interval:
-            return None
-        return (
-            f"seeds: found {self.found} of each case, {self.for_interval} give the value that is exceeded "
-            f"with {100 * self.acceptance:g} % an interval at {100 * CONFIDENCE:g} % confidence"
-        )
+
+def too_few(plan: Plan) -> str:
+    """Describe that a study with limits has too few seeds for an interval; empty if it has enough, or asks
+    for no statistics: one seed of each case, without an axis of the significant height.
+
+    >>> from kingpost import Study
+    >>> too_few(Study({"version": 1, "title": "x", "scenario": "paper", "record": ["ship.roll"]}).plan)
+    ''
+    """
+    count = SeedCount.of(plan)
+    asks = bool(plan.limits) and (count.found > 1 or "significant_height" in plan.sea)
+    if not asks or count.found >= count.for_interval:
+        return ""
+    return (
+        f"seeds: found {count.found} of each case, {count.for_interval} give the value that is exceeded "
+        f"with {100 * count.acceptance:g} % an interval at {100 * CONFIDENCE:g} % confidence"
+    )
 
 
 def kind_of_runs(plan: Plan) -> str:

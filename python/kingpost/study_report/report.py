@@ -17,7 +17,7 @@ from ..reports.limiting import accepted_text
 from ..study.design.plan import Plan
 from ..study.limiting.runs import limiting_heights
 from ..study.screening.cases import of_plan
-from ..study.seeds import SeedCount, kind_of_runs
+from ..study.seeds import SeedCount, kind_of_runs, too_few
 from ..study.store import layout
 from ..study.store.reading import open_results
 from ..study.summary import of_results, unfinished_operations
@@ -158,7 +158,7 @@ def _doubts(plan: Plan, results: xarray.Dataset) -> Iterator[str]:
         yield f"The study is not complete: {missing} of {status.size} runs have not run."
     if cut_short := unfinished_operations(results):
         yield f"{cut_short}."
-    if few := SeedCount.of(plan).warning():
+    if few := too_few(plan):
         yield f"{few[0].upper()}{few[1:]}."
     yield (
         "The numbers hold for the model described here; no measurement of this ship with her crane was "
