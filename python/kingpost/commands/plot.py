@@ -23,6 +23,10 @@ def add_options(command: argparse.ArgumentParser) -> None:
         help="tension over the arc length of lines of the kind line (default: all of them), not over time",
     )  # fmt: skip
     command.add_argument(
+        "--load-chart", nargs="*", metavar="ROPE",
+        help="hook load over radius on the load chart of a crane, by its rope (default: all), not over time",
+    )  # fmt: skip
+    command.add_argument(
         "--after-s", type=float, metavar="T",
         help="of --range-graph: leave out earlier records, s (default: the ramp of the waves)",
     )  # fmt: skip
@@ -34,15 +38,23 @@ def add_options(command: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Read the runs and draw them."""
     from ..reports import plot
+    from ..reports.load_chart import write_load_chart
     from ..reports.range_graph import write_range_graph
     from ..results import open_all
 
-    if options.range_graph is not None and options.channels:
-        raise KingpostError("--channels: found with --range-graph, allowed: one of both")
+    kinds = {"--channels": options.channels or None, "--range-graph": options.range_graph,
+             "--load-chart": options.load_chart}  # fmt: skip
+    first, *others = [name for name, given in kinds.items() if given is not None] or ["--channels"]
+    if others:
+        raise KingpostError(f"{first}: found with {others[0]}, allowed: one of both")
     if options.range_graph is None and options.after_s is not None:
         raise KingpostError("--after-s: found without --range-graph, allowed: with it")
     runs = open_all(options.files)
-    if options.range_graph is None:
+    if options.load_chart is not None:
+        if len(runs) > 1:
+            raise KingpostError(f"--load-chart: found {len(runs)} runs, allowed: one run")
+        written = write_load_chart(runs[0], options.output, options.load_chart)
+    elif options.range_graph is None:
         written = plot.write(runs, options.output, options.channels)
     else:
         written = write_range_graph(runs, options.output, options.range_graph, options.after_s)

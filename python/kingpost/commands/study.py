@@ -125,10 +125,13 @@ def _run(
 ) -> None:
     from .. import progress
     from ..study.running.run import run
+    from ..study.seeds import too_few
 
     with ExitStack() as shown:
 
         def begin(runs: int) -> Callable[[float], None]:
+            if few := too_few(study.plan):
+                warn([f"{WARNING}{few}"])
             return shown.enter_context(progress.bar(runs, "runs"))
 
         run(study.plan, folder, executor, options.workers, options.resume, part, begin)
@@ -158,10 +161,12 @@ def _limiting(study: Study, folder: Path) -> list[str]:
     from ..study.limiting.runs import limiting_heights
     from ..study.store.reading import open_results
 
+    if "significant_height" not in study.plan.sea or not study.plan.limits:
+        return []
     try:
         heights = limiting_heights(open_results(folder))
-    except KingpostError:
-        return []
+    except KingpostError as error:
+        return ["", f"limiting significant height: none: {error}"]
     return ["", *limiting.heights(heights), *_shares(study, heights)]
 
 

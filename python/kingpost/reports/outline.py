@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..errors import KingpostError
 from ..simulation.simulate import Simulation
 
 if TYPE_CHECKING:
@@ -36,6 +37,11 @@ def figure(simulation: Simulation) -> Figure:
     matplotlib.figure.Figure
         Three views: x and z, y and z, x and y.
 
+    Raises
+    ------
+    KingpostError
+        If the model has nothing to draw.
+
     >>> from kingpost import Simulation, load
     >>> [axes.get_title() for axes in figure(Simulation(load("paper"))).axes]
     ['from the side', 'from ahead', 'from above']
@@ -45,6 +51,8 @@ def figure(simulation: Simulation) -> Figure:
     model = simulation.scenario.model
     solids = list(_solids(model, simulation.poses()))
     lines = [np.asarray(line.points_m) for line in simulation.lines()]
+    if not solids and not lines:
+        raise KingpostError("outline: found no solid and no line, allowed: a model with one or more")
     spans = np.ptp(np.vstack([*(points for points, _ in solids), *lines]), axis=0)
     drawn = Figure(figsize=(10, 7), layout="constrained")
     side, ahead, above, _ = drawn.subplots(

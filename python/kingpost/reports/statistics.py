@@ -9,7 +9,9 @@ import numpy as np
 
 from ..analysis import pooling, statistics
 from ..errors import KingpostError
+from ..results.bounds import bounds
 from ..results.entries import scenario_of
+from ..results.operation_steps import happens_once
 from ..results.units import engineering
 from ..simulation.batch import FINISHED
 from . import outcomes
@@ -47,8 +49,7 @@ def start_s(results: xarray.Dataset, after_s: float | None) -> float:
 def exposure_s(results: xarray.Dataset, after_s: float | None) -> float:
     """Duration of the extremes: the length of the record for an operation, which is carried out once;
     otherwise three hours."""
-    operation = scenario_of(results).get("operation")
-    if operation and operation.get("enabled", True):
+    if happens_once(scenario_of(results)):
         return float(results["time"].values[-1]) - start_s(results, after_s)
     return statistics.THREE_HOURS_S
 
@@ -77,14 +78,14 @@ def frame(
         file = pooling.file_of(runs[0])
         raise KingpostError(f"{file}: found no main column, allowed: --channels with columns as ship.roll")
     pooled = _pooled(runs, list(names), first)
-    record_s = float(runs[0]["time"].values[-1]) - first
+    lengths_s = (float(runs[0]["time"].values[-1]) - first, exposure)
     rows = []
     for name, unit in names.items():
         of_runs = pooled[name]
         if not patterns and of_runs["still"].all():
             continue
         shown, size = engineering(unit)
-        rows.append({"channel": name, "unit": shown, **_row(of_runs, record_s, exposure, 1 / size)})
+        rows.append({"channel": name, "unit": shown, **_row(of_runs, lengths_s, 1 / size, bounds(name))})
     return pandas.DataFrame(rows)
 
 
@@ -188,7 +189,15 @@ def _stands_still(values: np.ndarray) -> bool:
         return bool(np.ptp(values) <= SMALLEST_MOTION * np.abs(values).max())
 
 
-def _row(of_runs: dict[str, np.ndarray], record_s: float, exposure: float, scale: float) -> dict[str, float]:
+def _row(
+    of_runs: dict[str, np.ndarray],
+    lengths_s: tuple[float, float],
+    scale: float,
+    possible: tuple[float, float],
+) -> dict[str, float]:
+    """Row of a column. `lengths_s` has the length of a record and the exposure time, `possible` the column's
+    physical bounds."""
+    record_s, exposure = lengths_s
     row = {
         name: float(of_runs[name].mean()) * (1.0 if name == "zero_up_crossing_period" else scale)
         for name in statistics.STATISTICS
@@ -201,21 +210,18 @@ def _row(of_runs: dict[str, np.ndarray], record_s: float, exposure: float, scale
             ("largest", 1, of_runs["maximum"]),
             ("smallest", -1, of_runs["minimum"]),
         ):
-            row |= _extreme(side, scale, sign, values, record_s, exposure)
+            expected, error = _extreme(sign * values, record_s, exposure)
+            row[f"extreme_{side}"] = scale * float(np.clip(sign * expected, *possible))
+            row[f"extreme_{side}_error"] = scale * error
     return row
 
 
-def _extreme(
-    side: str, scale: float, sign: int, values: np.ndarray, record_s: float, exposure: float
-) -> dict[str, float]:
-    """Expected extreme in the exposure time, s, and its standard error; NaN for a constant column."""
+def _extreme(values: np.ndarray, record_s: float, exposure: float) -> tuple[float, float]:
+    """Expected largest value in the exposure time, s, and its standard error; NaN for a constant column."""
     if not np.isfinite(values).all() or _stands_still(values):
-        return {f"extreme_{side}": np.nan, f"extreme_{side}_error": np.nan}
-    found = statistics.extreme(sign * values, record_s, exposure)
-    return {
-        f"extreme_{side}": sign * scale * found.expected,
-        f"extreme_{side}_error": scale * found.expected_error,
-    }
+        return np.nan, np.nan
+    found = statistics.extreme(values, record_s, exposure)
+    return found.expected, found.expected_error
 
 
 def _number(value: float, most: float = 0.0) -> str:

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from ..analysis.extremes import peaks
 from ..analysis.fatigue import rainflow
 from ..analysis.statistics import up_crossing_period
+from .steps import EXTREMES, Bounds, reduce_steps
 
 STATISTICS = ("mean", "standard_deviation", "zero_up_crossing_period", "maximum", "minimum",
               "time_of_maximum", "time_of_minimum")  # fmt: skip
@@ -41,6 +42,10 @@ class Kept:
         Which of `columns` have peaks, by their place in it, and how many.
     cycles, slopes
         Which of `columns` have cycles counted, and the powers of their ranges that are summed.
+    steps
+        Names of the steps of the operation, which have times and extremes each.
+    bounds
+        Bounds of the limits.
     """
 
     columns: tuple[str, ...]
@@ -50,6 +55,8 @@ class Kept:
     keep: int = 0
     cycles: tuple[int, ...] = ()
     slopes: tuple[float, ...] = ()
+    steps: tuple[str, ...] = ()
+    bounds: tuple[Bounds, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -92,6 +99,26 @@ def variables(kept: Kept) -> dict[str, Variable]:
         shape = (columns, len(kept.slopes))
         found["damage"] = Variable(("column", "slope"), shape, "f8", nan, "sum of ranges to the slope")
         found["cycles"] = Variable(("column",), (columns,), "f8", nan, "cycles counted by rainflow")
+    return found | _of_steps(kept)
+
+
+def _of_steps(kept: Kept) -> dict[str, Variable]:
+    """The variables of the steps of an operation; none without one."""
+    steps, nan = len(kept.steps), float("nan")
+    if not steps:
+        return {}
+    shape, dims = (steps, len(kept.columns), len(EXTREMES)), ("step", "column", "extreme")
+    found = {
+        "step_begin": Variable(("step",), (steps,), "f8", nan, "time at which a step begins, s"),
+        "step_end": Variable(("step",), (steps,), "f8", nan, "time at which a step ends, s"),
+        "step_extremes": Variable(dims, shape, "f8", nan, "extremes of columns in a step"),
+    }
+    if kept.limits:
+        by_limit = (("step", "limit"), (steps, len(kept.limits)))
+        found["step_limit_worst"] = Variable(
+            *by_limit, "f8", nan, "value in a step nearest to a bound or farthest beyond one"
+        )
+        found["step_limit_time"] = Variable(*by_limit, "f8", nan, "time of this value, s")
     return found
 
 
@@ -108,6 +135,7 @@ def reduce(
     limits: Sequence[Mapping[str, Any]],
     finished: bool,
     kept: Kept,
+    step_place: int | None = None,
 ) -> None:
     """Write the numbers of a run at its place.
 
@@ -127,12 +155,19 @@ def reduce(
         How the engine's limits held.
     finished
         Whether the run went to its end.
+    kept
+        What is kept of the run.
+    step_place
+        Where the number of the operation's step is in a row; None without an operation.
     """
     into["status"][run] = FINISHED if finished else ENDED_EARLY
     _limits(into, run, limits, finished, kept)
     if not finished:
         return
     time_s = rows[:, 0]
+    if kept.steps and step_place is not None:
+        every = (time_s, rows[:, step_place], rows[:, list(places)].T)
+        reduce_steps(into, run, every, kept.after_s, kept.bounds)
     first = int(np.searchsorted(time_s, kept.after_s))
     if len(time_s) - first < 2:
         return

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
+from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, TypedDict
 
@@ -14,6 +15,7 @@ from ..simulation.outcomes import kind_of
 from .design.job import WarningCount
 from .design.plan import Plan
 from .reduce import ENDED_EARLY, EXCEEDED, FINISHED, HELD, NOT_BUILT, NOT_RUN, UNKNOWN
+from .seeds import SeedCount, kind_of_runs
 from .store import layout
 from .store.reading import open_results
 
@@ -37,6 +39,9 @@ class PlanSummary(TypedDict):
     after_s: float
     columns: int
     limits: list[str]
+    statistics: str
+    seed_count: dict[str, float]
+    about_seeds: list[str]
 
 
 class EndedRun(TypedDict):
@@ -47,7 +52,8 @@ class EndedRun(TypedDict):
 
 
 class LimitSummary(TypedDict):
-    """Number of runs in which a limit held, and the worst value with its run and the run's overrides."""
+    """Number of runs in which a limit held, and the worst value with its run, its time and the run's
+    overrides."""
 
     name: str
     column: str
@@ -57,6 +63,7 @@ class LimitSummary(TypedDict):
     unknown: int
     worst: float | None
     worst_run: int | None
+    worst_time_s: float | None
     worst_in: dict[str, ParameterValue]
 
 
@@ -70,11 +77,12 @@ class ResultSummary(TypedDict):
     ends: list[EndedRun]
     limits: list[LimitSummary]
     warnings: list[WarningCount]
+    cut_short: str
 
 
 def of_plan(plan: Plan) -> PlanSummary:
     """Summarise the runs that a study will make."""
-    settings = plan.scenario.resolved["simulation"]
+    settings, count = plan.scenario.resolved["simulation"], SeedCount.of(plan)
     return {
         "title": plan.file.content["title"],
         "scenario": plan.scenario.title,
@@ -86,6 +94,9 @@ def of_plan(plan: Plan) -> PlanSummary:
         "after_s": plan.kept.after_s,
         "columns": len(plan.columns),
         "limits": [limit.name for limit in plan.limits],
+        "statistics": kind_of_runs(plan),
+        "seed_count": asdict(count),
+        "about_seeds": list(count.sentences()),
     }
 
 
@@ -102,7 +113,25 @@ def of_results(folder: Path, plan: Plan) -> ResultSummary:
         "ends": [{"run": run, "text": ends[run]} for run in sorted(ends)],
         "limits": [_limit(found, k, plan) for k in range(len(plan.limits))],
         "warnings": _warnings(folder),
+        "cut_short": unfinished_operations(found),
     }
+
+
+def unfinished_operations(found: xarray.Dataset) -> str:
+    """Describe the runs that end before the last step of their operation; empty if there are none.
+
+    >>> import xarray
+    >>> of = {"status": ("run", [0, 0]), "step_begin": (("run", "step"), [[0.0, 9.0], [0.0, np.nan]])}
+    >>> unfinished_operations(xarray.Dataset(of, {"step_name": ("step", ["lift off", "hold"])}))
+    "1 of 2 runs end before the operation's 'hold': let simulation.duration_s be longer"
+    """
+    if "step_begin" not in found:
+        return ""
+    finished = found["status"].values == FINISHED
+    short = int((finished & np.isnan(found["step_begin"].values[:, -1])).sum())
+    name = str(found["step_name"].values[-1])
+    of = f"{short} of {int(finished.sum())} runs end before the operation's {name!r}"
+    return f"{of}: let simulation.duration_s be longer" if short else ""
 
 
 def _limit(found: xarray.Dataset, k: int, plan: Plan) -> LimitSummary:
@@ -121,6 +150,7 @@ def _limit(found: xarray.Dataset, k: int, plan: Plan) -> LimitSummary:
         "unknown": int((held == UNKNOWN).sum()),
         "worst": None if run is None else float(worst[run]),
         "worst_run": run,
+        "worst_time_s": None if run is None else float(found["limit_time"].values[run, k]),
         "worst_in": {} if run is None else dict(plan.overrides(run)),
     }
 
@@ -144,6 +174,9 @@ def plan_lines(about: PlanSummary) -> Iterator[str]:
     after = f", statistics after {about['after_s']:g} s" if about["after_s"] else ""
     of = f"{about['duration_s']:g} s{after}: {about['cases']} cases, {seeds}"
     yield f"runs            {about['runs']} of {of}"
+    yield f"statistics      {about['statistics']}"
+    for heading, words in zip(("seeds", ""), about["about_seeds"], strict=False):
+        yield f"{heading:<16}{words}"
     for name, values in about["axes"].items():
         yield f"axis            {name}: {_listed(values)}"
     limits = f"; limits: {', '.join(about['limits'])}" if about["limits"] else ""
@@ -163,6 +196,8 @@ def result_lines(found: ResultSummary, runs: int) -> Iterator[str]:
 
 def warning_lines(found: ResultSummary, runs: int) -> Iterator[str]:
     """Yield the important warnings, one per line."""
+    if found["cut_short"]:
+        yield f"warning: {found['cut_short']}"
     if found["ends"]:
         first = found["ends"][0]
         yield f"warning, in {len(found['ends'])} of {runs} runs, first run {first['run']}: {first['text']}"
@@ -176,8 +211,8 @@ def _limit_words(limit: LimitSummary) -> str:
     """The outcome of a limit in one line.
 
     >>> _limit_words({"name": "lift", "held": 1, "exceeded": 1, "worst": 0.5, "unit": "1", "worst_run": 61,
-    ...               "worst_in": {"hs": 2.0}})
-    'lift held in 1 of 2 runs, worst 0.5 in run 61 (hs 2)'
+    ...               "worst_in": {"hs": 2.0}, "worst_time_s": 12.5})
+    'lift held in 1 of 2 runs, worst 0.5 at 12.5 s in run 61 (hs 2)'
     """
     judged = limit["held"] + limit["exceeded"]
     words = f"{limit['name']} held in {limit['held']} of {judged} runs"
@@ -186,7 +221,7 @@ def _limit_words(limit: LimitSummary) -> str:
     where = ", ".join(f"{name} {_shown(value)}" for name, value in limit["worst_in"].items())
     unit = "" if limit["unit"] == "1" else f" {limit['unit']}"
     worst = f"{limit['worst']:.4g}{unit}"
-    return f"{words}, worst {worst} in run {limit['worst_run']} ({where})"
+    return f"{words}, worst {worst} at {limit['worst_time_s']:.6g} s in run {limit['worst_run']} ({where})"
 
 
 def _listed(values: list[ParameterValue]) -> str:

@@ -4,32 +4,32 @@ scatter table."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ..errors import KingpostError
-from ..reports.limiting import height_text
+from ..reports.limiting import accepted_text, axes_of_heights, height_text, interval_text
 from ..results.entries import sea_of
 from ..study.design.plan import Plan
 from ..study.limiting.operability import Operability
 from ..study.limiting.operable_share import of_plan
-from .blocks import Block, Paragraph, Picture, Section, Table
+from . import limiting_figure
+from .blocks import Block, Paragraph, Section, Table
 
 if TYPE_CHECKING:
     import xarray
-    from matplotlib.figure import Figure
 
 
 WHAT_IT_IS = (
     "The limiting significant height is the largest at which each limit is exceeded in the operation with at "
-    "most the accepted probability. By runs: a Gumbel distribution of the worst values over the seeds. By "
-    "linear response: Rice's rate of crossings about rest in still water, without the steps of the "
-    "operation, slack lines, bodies that touch and quadratic forces."
+    "most the accepted probability. By runs: the worst values over the seeds. Those of an operation that "
+    "happens once are its sample, by their order; those of stationary runs and steps have a Gumbel "
+    "distribution, extrapolated to their duration. An interval from below the smallest height means that the "
+    "seeds do not show that any height is acceptable. By linear response: Rice's rate of crossings about "
+    "rest in still water, without the steps of the operation, slack lines, bodies that touch and quadratic "
+    "forces."
 )
-STYLES = {"by runs": "o-", "by linear response": "s--"}
-COLUMNS = 3
-MOST_PANELS = 24
 FEW = 12
 """Largest number of cases in a plain list; for more, a table of two axes precedes it."""
 BY_RUNS = "Command: kingpost study study.yaml -o DIR --resume; in Python kingpost.study.limiting.runs."
@@ -55,7 +55,7 @@ def section(by_runs: xarray.Dataset | str, by_screen: xarray.Dataset | str) -> S
     known = {what: found for found, what in ((by_runs, "by runs"), (by_screen, "by linear response"))
              if not isinstance(found, str)}  # fmt: skip
     if known:
-        picture = _picture(known)
+        picture = limiting_figure.picture(known, BY_RUNS if "by runs" in known else BY_SCREEN)
         blocks += [picture] if picture else []
         for what, found in known.items():
             blocks += [*_matrix(found, what), _table(found, what)]
@@ -64,99 +64,27 @@ def section(by_runs: xarray.Dataset | str, by_screen: xarray.Dataset | str) -> S
     return Section("limiting", "The limiting sea", blocks)
 
 
-def _axes(found: xarray.Dataset) -> list[str]:
-    return [str(dim) for dim in found["limiting_height_of_all"].dims]
-
-
-def _picture(known: dict[str, xarray.Dataset]) -> Picture | None:
-    """Draw limiting heights over the peak period, a panel for each combination of the other axes."""
-    first = next(iter(known.values()))
-    period = sea_of(first).get("peak_period")
-    if period is None or period not in _axes(first):
-        return None
-    others = [name for name in _axes(first) if name != period]
-    heights = first["limiting_height_of_all"].transpose(*others, period)
-    panels = list(np.ndindex(heights.shape[:-1]))
-    drawn = panels[:MOST_PANELS]
-    columns = min(len(drawn), COLUMNS)
-    lines = -(-len(drawn) // columns)
-    figure = _figure(lines)
-    grid = figure.subplots(lines, columns, sharex=True, sharey=True, squeeze=False)
-    for axes, at in zip(grid.flat, drawn, strict=False):
-        if others:
-            axes.set_title(_case(heights[at], others), fontsize=8)
-        for k, (what, found) in enumerate(known.items()):
-            _curve(axes, found, at, (others, period), (what, f"C{k}"))
-    for axes in grid.flat[len(drawn) :]:
-        axes.set_visible(False)
-    grid.flat[0].set_ylim(bottom=0)
-    grid.flat[0].legend(fontsize=7)
-    figure.supxlabel(period, fontsize=9)
-    figure.supylabel("limiting significant height, m", fontsize=9)
-    left_out = f" {len(panels) - len(drawn)} more are in the tables only." if len(drawn) < len(panels) else ""
-    return Picture.of(
-        figure,
-        f"Limiting significant height over the peak period, {len(drawn)} panels",
-        f"Limiting significant height over the peak period; bars: intervals over the seeds.{left_out}",
-        BY_RUNS if "by runs" in known else BY_SCREEN,
-    )
-
-
-def _curve(
-    axes: Any,
-    found: xarray.Dataset,
-    at: tuple[int, ...],
-    names: tuple[Sequence[str], str],
-    style: tuple[str, str],
-) -> None:
-    (others, period), (what, colour) = names, style
-    of = found["limiting_height_of_all"].transpose(*others, period)[at]
-    values = np.where(np.isfinite(of.values) & (of.values > 0), of.values, np.nan)
-    axes.plot(found[period], values, STYLES[what], color=colour, ms=3.5, lw=1.2, label=what)
-    axes.grid(alpha=0.3)
-    axes.tick_params(labelsize=8)
-    _interval(axes, found, at, others, period, colour)
-
-
-def _interval(
-    axes: Any, found: xarray.Dataset, at: tuple[int, ...], others: Sequence[str], period: str, colour: str
-) -> None:
-    if "limiting_height_low" not in found:
-        return
-    place: Any = (slice(None), *at)
-    ends = [
-        found[f"limiting_height_{end}"].transpose("limit", *others, period).values[place].min(axis=0)
-        for end in ("low", "high")
-    ]
-    known = ends[0] > 0
-    axes.vlines(found[period].values[known], *(end[known] for end in ends), color=colour, lw=0.8, alpha=0.6)
-
-
-def _case(of: xarray.DataArray, names: Sequence[str]) -> str:
-    return ", ".join(f"{name} {of[name].item():.4g}" if isinstance(of[name].item(), float)
-                     else f"{name} {of[name].item()}" for name in names)  # fmt: skip
-
-
 def _table(found: xarray.Dataset, what: str) -> Table:
-    names = _axes(found)
+    names = axes_of_heights(found)
     heights, governs = found["limiting_height_of_all"], found["governs"].transpose(*names)
     rows = []
     for at in np.ndindex(heights.shape):
         height = heights[at]
         values = [_value(height[name].item()) for name in names]
-        rows.append((*values, *_height(found, at), str(governs[at].item()) or "-"))
+        ends = interval_text(found, at) or "-"
+        rows.append((*values, height_text(found, at), ends, str(governs[at].item()) or "-"))
     head = (*names, "limiting Hs, m", "interval, m", "governs")
     origin = BY_RUNS if what == "by runs" else BY_SCREEN
     if "confidence" in found.attrs:
         origin += f" Confidence of the intervals over the seeds: {100 * found.attrs['confidence']:g} %."
-    accepted = f"accepted probability {found.attrs['acceptance']:g} in {found.attrs['operation_s']:g} s"
+    accepted = f"accepted probability {accepted_text(found.attrs)}"
     numbers = range(len(names) + 2)
     return Table(f"Limiting significant height {what}, {accepted}", head, rows, origin, tuple(numbers))
 
 
 def _matrix(found: xarray.Dataset, what: str) -> list[Table]:
     """Tabulate the heights over two axes; nothing for few cases or another number of axes."""
-    names, heights = _axes(found), found["limiting_height_of_all"]
+    names, heights = axes_of_heights(found), found["limiting_height_of_all"]
     if len(names) != 2 or heights.size <= FEW:
         return []
     down, across = names
@@ -172,19 +100,6 @@ def _matrix(found: xarray.Dataset, what: str) -> list[Table]:
 
 def _value(value: Any) -> str:
     return f"{value:.4g}" if isinstance(value, float) else str(value)
-
-
-def _height(found: xarray.Dataset, at: tuple[int, ...]) -> tuple[str, str]:
-    """Format a limiting height, with its interval if the study reaches it."""
-    if "limiting_height_state" not in found:
-        return height_text(found, at), "-"
-    names, place = _axes(found), cast(Any, (slice(None), *at))
-    height, state, low, high = (
-        found[f"limiting_height{end}"].transpose("limit", *names).values[place]
-        for end in ("", "_state", "_low", "_high")
-    )
-    k = int(np.where(np.isnan(height), np.inf, height).argmin())
-    return height_text(found, at), f"{low[k]:.2f} to {high[k]:.2f}" if state[k] == "found" else "-"
 
 
 def _difference(by_runs: xarray.Dataset, by_screen: xarray.Dataset) -> str:
@@ -252,9 +167,3 @@ def _shares(share: Operability, what: str) -> Table:
 
 def _origin(what: str) -> str:
     return f"Files: study.yaml (field scatter), results.zarr. {BY_RUNS if what == 'by runs' else BY_SCREEN}"
-
-
-def _figure(lines: int) -> Figure:
-    from matplotlib.figure import Figure
-
-    return Figure(figsize=(9, 4.2 if lines == 1 else 2.3 * lines + 0.4), layout="constrained")

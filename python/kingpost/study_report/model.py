@@ -29,14 +29,7 @@ def section(scenario: Scenario) -> Section:
     """Section with the model at the start of a run, and the commands that print the same numbers."""
     simulation = Simulation(scenario)
     blocks: list[Block] = [Paragraph(str(scenario.resolved.get("description") or scenario.title))]
-    blocks.append(
-        Picture.of(
-            outline.figure(simulation),
-            "The outlines of the model from the side, from ahead and from above",
-            "The model as a run begins, to scale; x forward, y to port, z up, the still water at z = 0.",
-            f"File: {FILE}.",
-        )
-    )
+    blocks.append(_outline(simulation))
     blocks.append(_masses(scenario))
     for hull in scenario.hydrostatics["hulls"]:
         blocks.append(_floating(hull))
@@ -44,6 +37,20 @@ def section(scenario: Scenario) -> Section:
             blocks.append(_righting_arms(hull))
     blocks += _periods(scenario)
     return Section("model", "What was modelled", blocks)
+
+
+def _outline(simulation: Simulation) -> Block:
+    """Picture of the model, or a sentence with the reason why there is none."""
+    try:
+        drawn = outline.figure(simulation)
+    except KingpostError as error:
+        return Paragraph(f"No picture: {error}.")
+    return Picture.of(
+        drawn,
+        "The outlines of the model from the side, from ahead and from above",
+        "The model as a run begins, to scale; x forward, y to port, z up, the still water at z = 0.",
+        f"File: {FILE}.",
+    )
 
 
 def _masses(scenario: Scenario) -> Table:

@@ -13,13 +13,15 @@ import numpy as np
 from .. import output
 from ..engine import engine
 from ..errors import KingpostError
+from ..reports.limiting import accepted_text
 from ..study.design.plan import Plan
 from ..study.limiting.runs import limiting_heights
 from ..study.screening.cases import of_plan
+from ..study.seeds import SeedCount, kind_of_runs, too_few
 from ..study.store import layout
 from ..study.store.reading import open_results
-from ..study.summary import of_results
-from . import extremes, limiting, model, origin, pdf, runs
+from ..study.summary import of_results, unfinished_operations
+from . import extremes, limiting, model, origin, pdf, runs, steps
 from .blocks import Report, html
 
 if TYPE_CHECKING:
@@ -84,7 +86,8 @@ def of_study(plan: Plan, folder: Path, app: str = APP) -> Report:
         limiting.section(by_runs, by_screen),
         limiting.operability_section(plan, by_runs, by_screen),
         runs.section(results, names, of_results(folder, plan), scenario_of, app),
-        extremes.section(results),
+        *filter(None, [steps.section(results, names)]),
+        extremes.section(results, names),
         model.section(plan.scenario),
         model.sea_section(plan.scenario),
         origin.verification_section(folder),
@@ -92,10 +95,11 @@ def of_study(plan: Plan, folder: Path, app: str = APP) -> Report:
     ]
     lead = (
         f"{content.get('description') or plan.scenario.title}. {plan.runs} runs: {plan.cases.count} cases, "
-        f"{len(plan.seeds)} seeds of each."
+        f"{len(plan.seeds)} seeds of each. Statistics: {kind_of_runs(plan)}. "
+        f"Seeds: {'; '.join(SeedCount.of(plan).sentences())}."
     )
     return Report(
-        content["title"], lead, list(_verdict(plan, results, by_runs)), sections, list(_doubts(results))
+        content["title"], lead, list(_verdict(plan, results, by_runs)), sections, list(_doubts(plan, results))
     )
 
 
@@ -133,24 +137,29 @@ def _verdict(plan: Plan, results: xarray.Dataset, by_runs: xarray.Dataset | str)
     finite = heights[np.isfinite(heights)]
     axis = by_runs[plan.sea["significant_height"]]
     smallest, largest = float(axis.min()), float(axis.max())
-    accepted = f"{100 * by_runs.attrs['acceptance']:g} % in {by_runs.attrs['operation_s']:g} s"
+    accepted = accepted_text(by_runs.attrs)
     if finite.size and not finite.any():
         yield f"In every case a limit fails at {smallest:g} m, the smallest significant height of the study."
     elif finite.size:
         least = f"{finite.min():.2f} m" if finite.min() > 0 else f"below {smallest:g} m"
         most = f"{finite.max():.2f} m" if finite.max() < largest else f"above {largest:g} m"
+        both = least if least == most else f"{least} to {most}"
         yield (
-            f"The limiting significant height, at an accepted probability of {accepted}, is {least} to "
-            f"{most}; {governs[counts.argmax()]} governs most often."
+            f"The limiting significant height, at an accepted probability of {accepted}, is {both}; "
+            f"{governs[counts.argmax()]} governs most often."
         )
 
 
-def _doubts(results: xarray.Dataset) -> Iterator[str]:
+def _doubts(plan: Plan, results: xarray.Dataset) -> Iterator[str]:
     """Yield the reservations that a reader must know before the numbers."""
     status = results["status"].values
     missing = int((status == -1).sum())
     if missing:
         yield f"The study is not complete: {missing} of {status.size} runs have not run."
+    if cut_short := unfinished_operations(results):
+        yield f"{cut_short}."
+    if few := too_few(plan):
+        yield f"{few[0].upper()}{few[1:]}."
     yield (
         "The numbers hold for the model described here; no measurement of this ship with her crane was "
         "compared. Inputs, limits and the accepted probability are the user's."

@@ -13,6 +13,7 @@ from .. import link
 from ..analysis.range_graphs import lines_with_points
 from ..errors import KingpostError
 from ..reports import plot
+from ..reports.load_chart import cranes_with_chart, load_chart_figure
 from ..reports.range_graph import range_graph_figure
 from ..reports.tables import unit_cell
 from ..results.units import engineering
@@ -22,6 +23,7 @@ from ..study.design.job import WarningCount
 from ..study.reduce import FINISHED, HELD, UNKNOWN
 from ..study.summary import ResultSummary
 from .blocks import Block, Command, Heading, Link, Paragraph, Picture, Section, Table
+from .cases import STORE, bounds_text, case_text, run_text
 
 if TYPE_CHECKING:
     import xarray
@@ -29,7 +31,6 @@ if TYPE_CHECKING:
 
     from ..scenario import Scenario
 
-STORE = "results.zarr"
 MOST_WORST = 6
 """Largest number of worst runs that are drawn: those of the limits with the least margin."""
 
@@ -45,19 +46,6 @@ class Worst:
     unit: str
     time_s: float
     margin: float
-
-
-def bounds_text(least: float, most: float, unit: str) -> str:
-    """Format the bounds of a limit; a missing bound is infinite or NaN.
-
-    >>> bounds_text(-5.0, 5.0, "deg"), bounds_text(float("nan"), 1.3, "1")
-    ('-5 to 5 deg', 'at most 1.3')
-    """
-    of_unit = f" {unit_cell(unit)}".rstrip()
-    has_least, has_most = np.isfinite(least), np.isfinite(most)
-    if has_least and has_most:
-        return f"{least:g} to {most:g}{of_unit}"
-    return f"at most {most:g}{of_unit}" if has_most else f"at least {least:g}{of_unit}"
 
 
 def worst_runs(runs: xarray.Dataset) -> list[Worst]:
@@ -95,7 +83,7 @@ def limits_table(runs: xarray.Dataset, axes: Sequence[str]) -> Table:
         judged = of["limit_held"].values != UNKNOWN
         held = int((of["limit_held"].values == HELD).sum())
         one = worst.get(str(name))
-        where = "-" if one is None else f"run {one.run}: {case_text(runs, one.run, axes)}"
+        where = "-" if one is None else run_text(runs, one.run, axes, one.time_s)
         value = "-" if one is None else f"{one.value:.4g}"
         allowed = bounds_text(float(of["at_least"]), float(of["at_most"]), str(of["limit_unit"].item()))
         column = str(of["limit_column"].item())
@@ -103,20 +91,6 @@ def limits_table(runs: xarray.Dataset, axes: Sequence[str]) -> Table:
     head = ("limit", "column", "allowed", "held in runs", "worst", "in")
     origin = f"File: {STORE}, variables limit_held, limit_worst, limit_time. Values are in the limit's unit."
     return Table("Limits over all runs", head, rows, origin, (3, 4))
-
-
-def case_text(runs: xarray.Dataset, at: int, axes: Sequence[str]) -> str:
-    """Describe the case of a run: the values of the axes and its seed.
-
-    >>> import xarray
-    >>> of = {"peak_period_s": ("run", [8.0]), "seed": ("run", [3])}
-    >>> case_text(xarray.Dataset(coords=of), 0, ["peak_period_s"])
-    'peak_period_s 8, seed 3'
-    """
-    one = runs.isel(run=at)
-    values = [(name, one[name].item()) for name in (*axes, "seed")]
-    return ", ".join(f"{name} {value:.6g}" if isinstance(value, float) else f"{name} {value}"
-                     for name, value in values)  # fmt: skip
 
 
 def status_blocks(runs: xarray.Dataset, ends: Sequence[str]) -> list[Block]:
@@ -164,12 +138,15 @@ def section(
     blocks += [limits_table(runs, axes)] if "limit" in runs.sizes else []
     blocks += warnings_table(came_of["warnings"], runs.sizes["run"])
     drawn: set[int] = set()
-    for one in worst_runs(runs)[:MOST_WORST]:
+    worst = worst_runs(runs)[:MOST_WORST]
+    charted = next((one for one in worst if one.column.endswith(".load_utilisation")), *worst[:1])
+    for one in worst:
         scenario = scenario_of(one.run)
         recorded = run(scenario)
         blocks += _worst(one, case_text(runs, one.run, axes), recorded, scenario, app)
         if one.run not in drawn:
             blocks += range_graphs(one.run, recorded)
+            blocks += load_charts(one.run, recorded) if one.run == charted.run else []
             drawn.add(one.run)
     return Section("runs", "Limits and the worst runs", blocks)
 
@@ -184,6 +161,20 @@ def range_graphs(number: int, recorded: xarray.Dataset) -> list[Block]:
             f"Tension over the arc length of lines in run {number}",
             f"Range graphs of the lines in run {number}: least, mean and largest tension.",
             f"Command: {_again(number)}, then kingpost plot run_{number}.nc --range-graph -o lines.svg.",
+        )
+    ]
+
+
+def load_charts(number: int, recorded: xarray.Dataset) -> list[Block]:
+    """Picture of the path of a run on the load charts of its cranes; none without a chart."""
+    if not cranes_with_chart(recorded):
+        return []
+    return [
+        Picture.of(
+            load_chart_figure(recorded),
+            f"Hook load over radius on the load chart in run {number}",
+            f"Load chart, rated load over radius, with the hook load of run {number}; circles begin steps.",
+            f"Command: {_again(number)}, then kingpost plot run_{number}.nc --load-chart -o chart.svg.",
         )
     ]
 

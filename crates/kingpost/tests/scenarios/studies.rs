@@ -15,6 +15,7 @@ fn omitted_fields_of_a_study_have_defaults() {
     assert_eq!((study.seeds.first, study.seeds.count), (1, 1));
     assert_eq!((study.after_s.get(), study.acceptance.get(), study.operation_s), (0.0, 0.1, None));
     assert!(study.axes.is_empty() && study.limits.is_empty() && study.record.is_empty());
+    assert!(study.one_off.is_none() && study.stationary_steps.is_empty());
 }
 
 #[test]
@@ -22,12 +23,14 @@ fn a_study_reads_back_from_what_it_is_written_as() {
     let study = read(
         "axes:\n  crane_x_m: {range: {from: -10, to: 0, count: 6}}\n  load: {values: [true, false]}\n  x: {latin_hypercube: {from: \
          0, to: 1}}\nsamples: {count: 9}\nlimits:\n  roll: {column: ship.roll, within: 3, unit: deg}\npeaks: {columns: \
-         [ship.roll]}\nrainflow: {columns: ['*'], slopes: [3, 5]}\nsea: {direction: x}\n",
+         [ship.roll]}\nrainflow: {columns: ['*'], slopes: [3, 5]}\nsea: {direction: x}\none_off: \
+         true\nstationary_steps: {hold over the side: 1800}\n",
     )
     .unwrap();
     let text = serde_json::to_string(&study).unwrap();
     assert_eq!(study::read(&text, "again.json").unwrap().0, study);
     assert_eq!(study.axes["load"], StudyAxis::Values([true, false].map(ParameterValue::Boolean).to_vec()));
+    assert_eq!((study.one_off, study.stationary_steps["hold over the side"].get()), (Some(true), 1800.0));
     assert_eq!((study.samples.unwrap().seed, study.peaks.unwrap().keep), (1, 32));
 }
 
@@ -77,6 +80,7 @@ fn an_error_has_its_place_the_found_value_and_the_allowed_values() {
         ("peaks: {columns: [a], keep: 0}", "peaks.keep: found 0, allowed: a whole number from 1 to 1000"),
         ("rainflow: {columns: [a], slopes: [3, 3]}", "rainflow.slopes.1: found 3 a second time"),
         ("rainflow: {columns: [a], slopes: [0]}", "rainflow.slopes.0: found 0, allowed: a number greater than 0"),
+        ("stationary_steps: {hold: 0}", "stationary_steps.hold: found 0, allowed: a number greater than 0"),
         ("acceptance: 1", "acceptance: found 1, allowed: a number greater than 0 and less than 1"),
         ("acceptence: 0.1", "found an unknown field"),
         ("axes: {x: {values: [1]}}\nsea: {direction: y}", "s.yaml:5:18: sea.direction: found \"y\", allowed: x"),

@@ -103,7 +103,8 @@ class Extreme:
 
     def exceedance(self, level: float) -> float:
         """Probability that the largest value exceeds `level`."""
-        return float(-np.expm1(-np.exp(-(level - self.location) / self.scale)))
+        with np.errstate(over="ignore"):
+            return float(-np.expm1(-np.exp(-(level - self.location) / self.scale)))
 
     def exceedance_interval(self, level: float, confidence: float = 0.9) -> tuple[float, float]:
         """Confidence interval of this probability: the smallest and the largest P whose interval of the

@@ -64,6 +64,8 @@ class Content(TypedDict):
     peaks: NotRequired[Peaks]
     limits: dict[str, dict[str, Json]]
     operation_s: NotRequired[float]
+    one_off: NotRequired[bool]
+    stationary_steps: NotRequired[dict[str, float]]
     acceptance: float
     scatter: NotRequired[str]
     sea: dict[str, str]

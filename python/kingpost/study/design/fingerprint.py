@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from ...analysis import fatigue
 from ...analysis.extremes import peaks
 from ...analysis.statistics import up_crossing_period
-from .. import reduce
+from .. import reduce, steps
 
 MOST_NAMED = 3
 """Largest number of differing fields that a message names."""
@@ -29,7 +29,7 @@ def of_value(value: object) -> str:
 def reduction() -> str:
     """SHA-256 of the source code of the functions that reduce the rows of a run."""
     # Imports are part of the text of `reduce`: if that file moves, no study can be resumed.
-    parts = (reduce, peaks, up_crossing_period, fatigue)
+    parts = (reduce, steps, peaks, up_crossing_period, fatigue)
     return hashlib.sha256("".join(inspect.getsource(part) for part in parts).encode()).hexdigest()
 
 

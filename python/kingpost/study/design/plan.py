@@ -8,20 +8,23 @@ from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from functools import cached_property
 from itertools import islice
+from math import inf
 
 from ...engine import source_digest
 from ...scenario import ParameterValue, Scenario
 from ...simulation.batch import SEED
-from ...simulation.records import Limit
+from ...simulation.records import Limit, LimitBounds
 from ...simulation.simulate import Simulation
 from ..reduce import Kept
 from ..sea_states import scatter
 from ..sea_states.quantities import quantities
+from ..steps import Bounds
 from . import fingerprint
 from .cases import Cases, cases
 from .content import Peaks, Rainflow
 from .file import StudyFile
 from .job import LANES, MOST_BYTES, Job, columns, run_bytes
+from .parts import Parts, parts
 from .trials import check_axes, check_corners
 
 MOST_RUNS = 1_000_000
@@ -49,6 +52,8 @@ class Plan:
         Quantities that are kept of each run.
     run_bytes
         Memory of the rows of a run, bytes.
+    parts
+        Parts of a run that happen once, and stationary ones.
     """
 
     file: StudyFile
@@ -58,6 +63,7 @@ class Plan:
     limits: list[Limit]
     kept: Kept
     run_bytes: float
+    parts: Parts
 
     @cached_property
     def seeds(self) -> list[int]:
@@ -142,13 +148,13 @@ def plan(file: StudyFile) -> Plan:
     simulation = Simulation(scenario)
     known = columns(simulation.channels)
     limits = simulation.limits
-    kept = _kept(file, known, limits)
+    of_parts = parts(file, scenario.resolved)
+    kept = _kept(file, known, simulation, of_parts)
     size = run_bytes(scenario.resolved["simulation"], simulation.channels)
     _check_length(file, scenario, size)
     check_axes(file, scenario)
-    found = Plan(
-        file, scenario, _cases(file), {name: known[name] for name in kept.columns}, limits, kept, size
-    )
+    units = {name: known[name] for name in kept.columns}
+    found = Plan(file, scenario, _cases(file), units, limits, kept, size, of_parts)
     if not 1 <= found.runs <= MOST_RUNS:
         raise file.error("axes", f"{found.runs} runs", f"from 1 to {MOST_RUNS} runs")
     check_corners(file, scenario, found.cases)
@@ -167,8 +173,8 @@ def _cases(file: StudyFile) -> Cases:
     return cases(content["axes"], content.get("samples"), cells)
 
 
-def _kept(file: StudyFile, known: dict[str, str], limits: list[Limit]) -> Kept:
-    content = file.content
+def _kept(file: StudyFile, known: dict[str, str], simulation: Simulation, of_parts: Parts) -> Kept:
+    content, limits = file.content, simulation.limits
     rainflow = content.get("rainflow", Rainflow(columns=[], slopes=[]))
     peaks = content.get("peaks", Peaks(columns=[], keep=0))
     recorded = _matching(file, "record", content["record"], known)
@@ -186,7 +192,18 @@ def _kept(file: StudyFile, known: dict[str, str], limits: list[Limit]) -> Kept:
         peaks["keep"],
         tuple(names.index(name) for name in names if name in with_cycles),
         tuple(float(slope) for slope in rainflow["slopes"]),
+        of_parts.steps,
+        tuple(_bounds(file, simulation, names, one) for one in simulation.limit_bounds),
     )
+
+
+def _bounds(file: StudyFile, simulation: Simulation, names: Sequence[str], limit: LimitBounds) -> Bounds:
+    scenario = simulation.scenario
+    units = {one["name"]: float(one["unit_si"]) for one in scenario.model["limits"]}
+    from_s = max(scenario.resolved["limits"][limit.name]["from_s"], file.content["after_s"])
+    least = -inf if limit.at_least is None else limit.at_least
+    most = inf if limit.at_most is None else limit.at_most
+    return Bounds(names.index(limit.column), least, most, units[limit.name], from_s)
 
 
 def _matching(file: StudyFile, field: str, patterns: Sequence[str], known: dict[str, str]) -> set[str]:

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ...analysis.extremes import Extreme, extreme
+from ...analysis.extremes import seeds_for_quantile
 from ...errors import KingpostError
 from ...results.entries import axes_of, sea_attributes, sea_of
 from ..reduce import FINISHED, NOT_RUN
+from .largest import Maxima
 
 if TYPE_CHECKING:
     import xarray
@@ -23,8 +24,8 @@ if TYPE_CHECKING:
     Values = dict[str, list[ParameterValue]]
 
 FEWEST_SEEDS = 5
-CERTAIN, NEVER = -3.4, 30.0
-"""Reduced variates -ln(-ln(1 - P)) that represent P = 1 and P = 1e-13."""
+CERTAIN = (np.inf, np.inf, np.inf, 1.0)
+"""Quantile of the excess, its interval and the probability where a run ended early."""
 FOUND, ABOVE, BELOW, NOT_KNOWN = "found", "above", "below", "not known"
 
 
@@ -36,12 +37,16 @@ def limiting_heights(
 ) -> xarray.Dataset:
     """Find the largest significant height at which each limit is exceeded with the accepted probability.
 
-    At each height a Gumbel distribution is fitted over the seeds to the excess of a run's worst value over
-    its bound, and extrapolated to the operation's duration: P is the probability that the excess is above 0
-    (`extreme`). Between two heights the reduced variate -ln(-ln(1 - P)) is interpolated linearly over 1 / Hs.
-    This is exact if the response is proportional to the height: the variate is then (L / Hs - mu) / beta. If
-    sampling makes P fall with the height, the largest P of lower heights counts. Heights are not
-    extrapolated.
+    At each height, the excess of a run's worst value over its bound has a distribution over the seeds, and
+    the height is the one at which its quantile 1 - `acceptance` is 0:
+
+    - of stationary runs a Gumbel distribution, extrapolated to the operation's duration (`extreme`);
+    - of runs that happen once the order statistics of the seeds, without an extrapolation (`one_off`), joined
+      with the Gumbel distributions of their stationary steps, each extrapolated to its own duration.
+
+    No quantile passes the physical bounds of the column. Between two heights it is interpolated linearly:
+    exact if the response is proportional to the height. If sampling makes it fall with the height, the
+    largest of lower heights counts. Heights are not extrapolated.
 
     A run that ended early (a divergence, say) counts as one in which every limit without a value was
     exceeded: P of its case is 1.
@@ -55,7 +60,7 @@ def limiting_heights(
     acceptance
         Accepted probability; default: that of the study.
     operation_s
-        Duration of the operation, s; default: that of the study.
+        Duration of the operation of stationary runs, s; default: that of the study.
     confidence
         Confidence of the intervals.
 
@@ -63,7 +68,9 @@ def limiting_heights(
     -------
     xarray.Dataset
         Along ``limit`` and the axes without the height: ``limiting_height`` (m); ``limiting_height_low`` and
-        ``limiting_height_high``, its interval over seeds, from the intervals of P at each height; and
+        ``limiting_height_high``, its interval over seeds, from the intervals of the quantile at each height:
+        0 if the smallest height may already be too large, as with too few seeds, and the largest height if no
+        height is shown to be too large; and
         ``limiting_height_state``: ``found``; ``above``: the accepted probability is not reached at the
         largest height of the study, which is then the limiting height; ``below``: it is exceeded at the
         smallest height, and the limiting height is then 0; ``not known``. ``limiting_height_of_all`` is the
@@ -73,8 +80,8 @@ def limiting_heights(
     Raises
     ------
     KingpostError
-        If runs are missing, there are fewer than five seeds, no limits or no axis of the height, or the axes
-        are not a grid.
+        If runs are missing, there are too few seeds (`fewest_seeds`), no limits or no axis of the height, the
+        axes are not a grid, or a duration is given for runs that happen once.
     """
     import xarray
 
@@ -82,45 +89,59 @@ def limiting_heights(
     acceptance = float(results.attrs["acceptance"] if acceptance is None else acceptance)
     if not 0 < acceptance < 1:
         raise KingpostError(f"acceptance: found {acceptance:g}, allowed: between 0 and 1")
-    record_s = _records_s(results)
+    excess = Maxima.of_limits(results)
+    if excess.one_off and operation_s is not None:
+        allowed = "none for runs that happen once"
+        raise KingpostError(f"operation_s: found {operation_s:g}, allowed: {allowed}")
     operation_s = float(results.attrs["operation_s"] if operation_s is None else operation_s)
-    grid, values = _grid(results, axes)
-    beyond, status = _beyond(results)[grid], results["status"].values[grid]
+    grid, values = _grid(results, axes, fewest_seeds(acceptance, excess.one_off))
+    status = results["status"].values[grid]
     missing = int((status == NOT_RUN).sum())
     if missing:
         raise KingpostError(f"runs: found {missing} that have not run, allowed: all, as with --resume")
-    reduced = _reduced(beyond, status, record_s, operation_s, confidence)
+    found = _of_cases(excess, grid, status, (acceptance, operation_s, confidence))
     # The height is the last axis, in increasing order.
     at = axes.index(height)
     order = np.argsort(values[height])
     heights = np.asarray(values[height], float)[order]
-    reduced = np.moveaxis(reduced, at + 2, -1)[..., order]
+    found = np.moveaxis(found, at + 2, -1)[..., order]
     ended = np.take((status != FINISHED).sum(axis=-1), order, axis=at)
-    falling = np.minimum.accumulate(reduced, axis=-1)
-    found = _passes(heights, falling, -np.log(-np.log1p(-acceptance)))
+    rising = np.maximum.accumulate(found[:3], axis=-1)
+    passes = _passes(heights, rising)
     others = [name for name in axes if name != height]
     metre = {"units": "m", "long_name": "largest significant height that keeps the limit"}
     dims = ["limit", *others]
-    smallest = found[0].min(axis=0)
-    governs = np.asarray(results["limit"].values, str)[np.argmin(found[0], axis=0)]
+    smallest = passes[0].min(axis=0)
+    governs = np.asarray(results["limit"].values, str)[np.argmin(passes[0], axis=0)]
     variables: dict[str, tuple[object, ...]] = {
-        "limiting_height": (dims, found[0], metre),
-        "limiting_height_low": (dims, found[1], metre),
-        "limiting_height_high": (dims, found[2], metre),
-        "limiting_height_state": (dims, _state(falling[0], -np.log(-np.log1p(-acceptance)))),
+        "limiting_height": (dims, passes[0], metre),
+        "limiting_height_low": (dims, passes[1], metre),
+        "limiting_height_high": (dims, passes[2], metre),
+        "limiting_height_state": (dims, _state(rising[0])),
         "limiting_height_of_all": (others, smallest, metre),
         "governs": (others, governs),
-        "probability": ([*dims, height], -np.expm1(-np.exp(-reduced[0])), {"units": "1"}),
+        "probability": ([*dims, height], found[3], {"units": "1"}),
         "ended_early": (axes, ended),
     }
     about = {name: results.attrs[name] for name in ("title", "fingerprint") if name in results.attrs}
     about |= sea_attributes(sea_of(results)) | {
         "acceptance": acceptance,
-        "operation_s": operation_s,
         "confidence": confidence,
+        "one_off": int(excess.one_off),
+        "seeds": grid.shape[-1],
     }
+    about |= {} if excess.one_off else {"operation_s": operation_s}
     coordinates = _coordinates(results, others, values) | {height: (height, heights, results[height].attrs)}
     return xarray.Dataset(variables, coordinates, about)
+
+
+def fewest_seeds(acceptance: float, one_off: bool) -> int:
+    """Number of seeds from which there are limiting heights.
+
+    >>> fewest_seeds(0.1, one_off=True), fewest_seeds(0.1, one_off=False)
+    (7, 5)
+    """
+    return max(FEWEST_SEEDS, seeds_for_quantile(acceptance)) if one_off else FEWEST_SEEDS
 
 
 def _coordinates(results: xarray.Dataset, names: list[str], values: Values) -> dict[Hashable, object]:
@@ -142,13 +163,13 @@ def _axes(results: xarray.Dataset) -> tuple[list[str], str]:
     return axes, height
 
 
-def _grid(results: xarray.Dataset, axes: list[str]) -> tuple[NDArray[np.intp], Values]:
+def _grid(results: xarray.Dataset, axes: list[str], fewest: int) -> tuple[NDArray[np.intp], Values]:
     """Indices of the runs along the axes and then the seeds, and the values of each axis."""
     values = {name: list(dict.fromkeys(results[name].values.tolist())) for name in axes}
     shape = [len(values[name]) for name in axes]
     seeds = list(dict.fromkeys(results["seed"].values.tolist()))
-    if len(seeds) < FEWEST_SEEDS:
-        raise KingpostError(f"seeds: found {len(seeds)}, allowed: {FEWEST_SEEDS} or more")
+    if len(seeds) < fewest:
+        raise KingpostError(f"seeds: found {len(seeds)}, allowed: {fewest} or more")
     size = int(np.prod(shape)) * len(seeds)
     if size != results.sizes["run"]:
         drawn = f"{results.sizes['run']} runs of which the axes' values make {size}"
@@ -160,74 +181,53 @@ def _grid(results: xarray.Dataset, axes: list[str]) -> tuple[NDArray[np.intp], V
     return found, values
 
 
-def _beyond(results: xarray.Dataset) -> Numbers:
-    """Excess of the worst value over its bound for each run and limit; negative inside the bounds."""
-    worst = results["limit_worst"].transpose("run", "limit").values
-    least, most = results["at_least"].values, results["at_most"].values
-    return np.fmax(worst - most, least - worst)
-
-
-def _records_s(results: xarray.Dataset) -> Numbers:
-    """Time for which each limit is evaluated in a run, s."""
-    duration_s, after_s = (float(results.attrs[name]) for name in ("duration_s", "after_s"))
-    if "limit_from_s" not in results.coords:
-        return np.full(results.sizes["limit"], duration_s - after_s)
-    left_s: Numbers = duration_s - np.maximum(results["limit_from_s"].values, after_s)
-    return np.where(left_s > 0, left_s, np.nan)
-
-
-def _reduced(
-    beyond: Numbers,
+def _of_cases(
+    excess: Maxima,
+    grid: NDArray[np.intp],
     status: NDArray[np.int8],
-    record_s: Numbers,
-    operation_s: float,
-    confidence: float,
+    by: tuple[float, float, float],
 ) -> Numbers:
-    """Reduced variates of P and of the upper and lower end of its interval, along limits and axes.
+    """Quantile of the largest excess, the upper and the lower end of its interval, and the probability that
+    it is above 0, along limits and axes.
 
-    `beyond` is along axes, seeds and limits, `record_s` along limits.
+    `grid` and `status` are along axes and seeds; `by` has the accepted probability, the duration of the
+    operation and the confidence.
     """
-    shape = beyond.shape[:-2]
-    found = np.empty((3, beyond.shape[-1], *shape))
+    limits, shape = excess.of_run.shape[1], grid.shape[:-1]
+    found = np.empty((4, limits, *shape))
     for at in np.ndindex(*shape):
-        for limit in range(beyond.shape[-1]):
-            values = beyond[(*at, slice(None), limit)]
-            ended = status[at] != FINISHED
-            if ended.any():
-                found[(slice(None), limit, *at)] = CERTAIN
-            elif not np.isfinite(values).all():
-                found[(slice(None), limit, *at)] = np.nan
-            elif np.ptp(values) <= 1e-12 * np.abs(values).max(initial=0.0):
-                found[(slice(None), limit, *at)] = CERTAIN if values[0] > 0 else NEVER
-            else:
-                found[(slice(None), limit, *at)] = _of_one(
-                    extreme(values, record_s[limit], operation_s), confidence
-                )
-    return np.clip(found, CERTAIN, NEVER)
+        ended = bool((status[at] != FINISHED).any())
+        for limit in range(limits):
+            place = (slice(None), limit, *at)
+            found[place] = CERTAIN if ended else _of_one(excess, grid[at], limit, by)
+    return found
 
 
-def _of_one(found: Extreme, confidence: float) -> tuple[float, float, float]:
-    low, high = found.exceedance_interval(0.0, confidence)
-    with np.errstate(divide="ignore"):
-        ends = [
-            float(-np.log(-np.log1p(-p))) if 0 < p < 1 else (NEVER if p == 0 else CERTAIN)
-            for p in (high, low)
-        ]
-    return -found.location / found.scale, ends[0], ends[1]
+def _of_one(
+    excess: Maxima, runs: NDArray[np.intp], limit: int, by: tuple[float, float, float]
+) -> tuple[float, float, float, float]:
+    acceptance, operation_s, confidence = by
+    largest, most = excess.largest(runs, limit, operation_s), float(excess.most[limit])
+    if largest is None:
+        return (np.nan,) * 4
+    low, high = largest.interval(1 - acceptance, confidence)
+    quantile = largest.quantile(1 - acceptance)
+    probability = largest.exceedance(0.0) if most > 0 else 0.0
+    return min(quantile, most), min(high, most), min(low, most), probability
 
 
-def _passes(heights: Numbers, reduced: Numbers, wanted: float) -> Numbers:
-    """Height at which a falling variate passes the wanted value, interpolated linearly over 1 / height."""
-    found = np.where(reduced[..., 0] < wanted, 0.0, np.where(reduced[..., -1] >= wanted, heights[-1], np.nan))
+def _passes(heights: Numbers, rising: Numbers) -> Numbers:
+    """Height at which a rising excess passes 0, interpolated linearly; 0 if it is passed at the smallest."""
+    found = np.where(rising[..., 0] > 0, 0.0, np.where(rising[..., -1] <= 0, heights[-1], np.nan))
     for k in range(len(heights) - 1):
-        first, second = reduced[..., k], reduced[..., k + 1]
+        first, second = rising[..., k], rising[..., k + 1]
         with np.errstate(invalid="ignore", divide="ignore"):
-            share = (first - wanted) / (first - second)
-            inverse = 1 / heights[k] + share * (1 / heights[k + 1] - 1 / heights[k])
-        found = np.where((first >= wanted) & (second < wanted), 1 / inverse, found)
-    return np.where(np.isnan(reduced).any(axis=-1), np.nan, found)
+            share = np.where(np.isneginf(first), 1.0, -first / (second - first))
+        at = heights[k] + share * (heights[k + 1] - heights[k])
+        found = np.where((first <= 0) & (second > 0), at, found)
+    return np.where(np.isnan(rising).any(axis=-1), np.nan, found)
 
 
-def _state(reduced: Numbers, wanted: float) -> NDArray[np.str_]:
-    state = np.where(reduced[..., 0] < wanted, BELOW, np.where(reduced[..., -1] >= wanted, ABOVE, FOUND))
-    return np.where(np.isnan(reduced).any(axis=-1), NOT_KNOWN, state)
+def _state(rising: Numbers) -> NDArray[np.str_]:
+    state = np.where(rising[..., 0] > 0, BELOW, np.where(rising[..., -1] <= 0, ABOVE, FOUND))
+    return np.where(np.isnan(rising).any(axis=-1), NOT_KNOWN, state)

@@ -12,6 +12,7 @@ from ...engine import engine, source_digest
 from ...errors import KingpostError
 from ...results.channels import Channel
 from ...results.entries import WarningEntry
+from ...results.operation_steps import COLUMN
 from ...simulation.outcomes import kind_of
 from .. import reduce
 from ..design.job import LANES, MOST_BYTES, Job, Result, WarningCount
@@ -70,7 +71,7 @@ def _some(
         ended = errors[k]
         if ended is not None:
             ends[run] = str(ended)
-        reduce.reduce(arrays, run, rows[k], at, limits[k], ended is None, job.kept)
+        reduce.reduce(arrays, run, rows[k], at, limits[k], ended is None, job.kept, places.get(COLUMN))
         _count(warnings[k], warned)
 
 

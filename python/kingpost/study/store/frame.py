@@ -13,6 +13,7 @@ from ...engine import engine
 from ...results.entries import sea_attributes
 from ..design.plan import Plan
 from ..reduce import HELD_MEANINGS, STATISTICS, STATUS, variables
+from ..steps import EXTREMES
 
 
 def write_frame(path: Path, plan: Plan) -> None:
@@ -50,6 +51,9 @@ FLAGS: dict[str, Mapping[str, list[int] | str]] = {
     "status": _flags(STATUS),
     "limit_held": _flags(HELD_MEANINGS),
     "limit_time": {"units": "s"},
+    "step_begin": {"units": "s"},
+    "step_end": {"units": "s"},
+    "step_limit_time": {"units": "s"},
 }
 
 
@@ -80,9 +84,15 @@ def coordinates(plan: Plan) -> dict[str, tuple[str, NDArray[np.generic], dict[st
         # A missing bound is NaN.
         found["at_least"] = ("limit", np.array([one.at_least for one in plan.limits], float), {})
         found["at_most"] = ("limit", np.array([one.at_most for one in plan.limits], float), {})
-        of_scenario = plan.scenario.resolved["limits"]
-        starts_s = [max(of_scenario[one.name]["from_s"], plan.kept.after_s) for one in plan.limits]
-        found["limit_from_s"] = ("limit", np.array(starts_s, float), {"units": "s"})
+        bounds = plan.kept.bounds
+        found["limit_from_s"] = ("limit", np.array([one.from_s for one in bounds], float), {"units": "s"})
+        found["limit_unit_si"] = ("limit", np.array([one.unit_si for one in bounds], float), {})
+    if plan.kept.steps:
+        found["step"] = ("step", np.arange(1, len(plan.kept.steps) + 1), {})
+        found["step_name"] = ("step", np.array(plan.kept.steps, texts), {})
+        # NaN for a step that happens once.
+        found["stationary_s"] = ("step", np.array(plan.parts.stationary_s, float), {"units": "s"})
+        found["extreme"] = ("extreme", np.array(EXTREMES, texts), {})
     if plan.kept.peaks:
         found["peak"] = ("peak", np.arange(plan.kept.keep), {})
     if plan.kept.cycles:
@@ -113,4 +123,5 @@ def _attributes(plan: Plan) -> dict[str, str | float]:
         "duration_s": settings["duration_s"],
         "operation_s": content.get("operation_s", length_s),
         "acceptance": content["acceptance"],
+        "one_off": int(plan.parts.one_off),
     }

@@ -60,9 +60,16 @@ pub struct Study {
     /// Limits, over those of the scenario: one of the same name replaces it.
     #[serde(default)]
     pub limits: IndexMap<Name, Limit>,
-    /// Duration of the operation for which extremes are estimated, s. By default the duration of a run
-    /// without the time at its start that is excluded.
+    /// Duration to which extremes of stationary runs are extrapolated, s. By default the duration of a run
+    /// without the time at its start that is excluded. Refused for runs that happen once.
     pub operation_s: Option<Positive>,
+    /// Whether a run is an operation that happens once: its largest value is a sample over the seeds and is not
+    /// extrapolated. By default true if the scenario has an enabled operation.
+    pub one_off: Option<bool>,
+    /// Steps of the operation that are stationary, by their names, with the duration to which the extremes of each are
+    /// extrapolated, s.
+    #[serde(default)]
+    pub stationary_steps: IndexMap<String, Positive>,
     /// Probability, chosen by the user, with which a limit may be exceeded in the operation.
     #[serde(default = "acceptance")]
     pub acceptance: Probability,
