@@ -28,6 +28,10 @@ class Bounds:
         Size of the limit's unit in the SI unit.
     from_s
         Time from which the limit counts, s.
+    until_s
+        Time until which it counts, s.
+    steps
+        Numbers of the steps in which it counts, from 1; all if there are none.
     """
 
     column: int
@@ -35,6 +39,8 @@ class Bounds:
     at_most: float
     unit_si: float
     from_s: float
+    until_s: float = np.inf
+    steps: tuple[int, ...] = ()
 
 
 def reduce_steps(
@@ -75,7 +81,9 @@ def reduce_steps(
         if len(counted):
             into["step_extremes"][run, k] = extremes(x[:, counted], time_s[counted])
         for limit, bounds in enumerate(limits):
-            counted = at[time_s[at] >= bounds.from_s]
+            if bounds.steps and k + 1 not in bounds.steps:
+                continue
+            counted = at[(time_s[at] >= bounds.from_s) & (time_s[at] <= bounds.until_s)]
             found = worst(x[bounds.column, counted], bounds)
             if found is not None:
                 into["step_limit_worst"][run, k, limit] = x[bounds.column, counted[found]] / bounds.unit_si

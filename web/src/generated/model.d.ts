@@ -560,6 +560,14 @@ export interface LimitDescription {
    * Time from which it applies, s.
    */
   from_s: number;
+  /**
+   * Time until which it applies, s; absent if it does to the end.
+   */
+  until_s: number | null;
+  /**
+   * Numbers of the steps of the operation in which it applies, from 1; none if it applies in all.
+   */
+  steps: number[];
 }
 /**
  * A parameter of the scenario, with its value.

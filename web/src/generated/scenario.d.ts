@@ -4173,6 +4173,12 @@ export type Condition =
     }
   | {
       any: Condition[];
+    }
+  | {
+      holds: HoldingCondition;
+    }
+  | {
+      count: CountedCondition;
     };
 
 /**
@@ -6713,7 +6719,7 @@ export interface InputMove {
   in_s?: number;
 }
 /**
- * A range of a column of the results: above a bound, below one, or both.
+ * A range of a column of the results: above a bound, below one, or both. A bound is a number or another column.
  */
 export interface ColumnRange {
   /**
@@ -6729,9 +6735,79 @@ export interface ColumnRange {
    */
   below?: number | null;
   /**
+   * The value is above that of this column, which has the same unit.
+   */
+  above_column?: string | null;
+  /**
+   * The value is below that of this column, which has the same unit.
+   */
+  below_column?: string | null;
+  /**
    * Unit of the bounds: the column's SI unit, or deg, deg/s, kN, kN m, t and so on instead; without it, the SI unit.
    */
   unit?: string | null;
+}
+/**
+ * A condition that holds without a break for a time.
+ */
+export interface HoldingCondition {
+  /**
+   * The time, s.
+   */
+  for_s: number;
+  /**
+   * The condition.
+   */
+  condition:
+    | {
+        after_s: number;
+      }
+    | {
+        value: ColumnRange;
+      }
+    | {
+        all: Condition[];
+      }
+    | {
+        any: Condition[];
+      }
+    | {
+        holds: HoldingCondition;
+      }
+    | {
+        count: CountedCondition;
+      };
+}
+/**
+ * A condition that begins to hold a number of times since the start of the step.
+ */
+export interface CountedCondition {
+  /**
+   * The number; a condition that holds at the start of the step has begun once.
+   */
+  times: number;
+  /**
+   * The condition.
+   */
+  condition:
+    | {
+        after_s: number;
+      }
+    | {
+        value: ColumnRange;
+      }
+    | {
+        all: Condition[];
+      }
+    | {
+        any: Condition[];
+      }
+    | {
+        holds: HoldingCondition;
+      }
+    | {
+        count: CountedCondition;
+      };
 }
 /**
  * A limit on a column of the results. A run reports for each limit whether it held, and the worst value with its time.
@@ -6768,4 +6844,12 @@ export interface Limit {
    * Time from which the limit applies, s; without it, from the start.
    */
   from_s?: number;
+  /**
+   * Time until which the limit applies, s; without it, to the end.
+   */
+  until_s?: number | null;
+  /**
+   * Names of the steps of the operation in which the limit applies; without them, in all and without an operation.
+   */
+  steps?: string[];
 }

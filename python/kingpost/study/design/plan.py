@@ -199,11 +199,14 @@ def _kept(file: StudyFile, known: dict[str, str], simulation: Simulation, of_par
 
 def _bounds(file: StudyFile, simulation: Simulation, names: Sequence[str], limit: LimitBounds) -> Bounds:
     scenario = simulation.scenario
-    units = {one["name"]: float(one["unit_si"]) for one in scenario.model["limits"]}
+    known = next(one for one in scenario.model["limits"] if one["name"] == limit.name)
+    until_s = inf if known["until_s"] is None else float(known["until_s"])
+    steps = tuple(int(step) for step in known["steps"])
     from_s = max(scenario.resolved["limits"][limit.name]["from_s"], file.content["after_s"])
     least = -inf if limit.at_least is None else limit.at_least
     most = inf if limit.at_most is None else limit.at_most
-    return Bounds(names.index(limit.column), least, most, units[limit.name], from_s)
+    unit_si = float(known["unit_si"])
+    return Bounds(names.index(limit.column), least, most, unit_si, from_s, until_s, steps)
 
 
 def _matching(file: StudyFile, field: str, patterns: Sequence[str], known: dict[str, str]) -> set[str]:

@@ -97,6 +97,8 @@ class Maxima:
         if not len(held):
             return _once(self.of_run[runs, k])
         steps = self.of_steps[runs, :, k]
+        # A limit has no values in the steps in which it does not count.
+        held = held[np.isfinite(steps[:, held]).any(axis=0)]
         found = [_once(_fmax(np.delete(steps, held, axis=1)))] if len(held) < steps.shape[1] else []
         for step in held:
             lasts_s = float(np.mean(self.steps_s[runs, step, k]))
