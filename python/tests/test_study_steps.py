@@ -47,6 +47,7 @@ STUDY: dict[str, Any] = {
     "limits": {
         "speed": {"column": "axle.joint_velocity", "at_most": 90, "unit": "deg/s"},
         "turn": {"column": "axle.joint_position", "at_most": 10, "from_s": 2.0},
+        "braked": {"column": "axle.joint_velocity", "at_least": 0.6, "steps": ["brake"], "until_s": 3.75},
     },
 }
 
@@ -71,6 +72,19 @@ def test_steps_begin_and_end_with_their_rows(made: tuple[Study, xarray.Dataset, 
     assert end[:3] == pytest.approx(begin[1:4])
     assert end[3] == 6.0
     assert np.isnan(begin[4])
+
+
+def test_a_limit_with_steps_counts_in_these_steps_until_its_end(
+    made: tuple[Study, xarray.Dataset, Path],
+) -> None:
+    """Source: M = J alpha: at 3.75 s the speed is M / J 1.25 s, in the whole run 0. A row is 0.05 s."""
+    _, runs, _ = made
+    for torque, first in zip(TORQUES, (0, 2), strict=True):
+        of = runs.isel(run=first).sel(limit="braked")
+        assert np.isfinite(of["step_limit_worst"].values).tolist() == [False, False, True, False, False]
+        for found in (of["step_limit_worst"][2], of["limit_worst"]):
+            assert float(found) == pytest.approx(1.25 * torque / 90, abs=0.051 * torque / 90)
+        assert int(of["limit_held"]) == int(torque / 90 * 1.25 > 0.6)
 
 
 def test_extremes_and_worst_values_of_steps_are_those_of_the_motion(

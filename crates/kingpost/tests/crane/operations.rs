@@ -346,6 +346,14 @@ fn a_mistake_in_an_operation_is_refused_at_its_place() {
 }
 
 #[test]
+fn a_limit_in_a_last_step_that_waits_for_nothing_applies_to_the_end() {
+    let rest = "operation: {steps: [{name: push, set: [{input: push, to: 1}], until: {after_s: 1}}, {name: coast}]}
+limits: {late: {column: slide.joint_position, at_most: 100, steps: [coast]}}\n";
+    let found = run(&slide(0.01, rest)).limits();
+    assert!(found[0].worst_time_s.is_some_and(|time_s| (time_s - 4.0).abs() < 1e-9), "{found:?}");
+}
+
+#[test]
 fn a_mistake_in_a_limit_is_refused_at_its_place() {
     let cases = [
         ("{column: slide.joint_velocity}", "limits.a: found no bound, allowed: at_most, at_least, both, or within"),
