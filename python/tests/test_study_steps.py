@@ -5,6 +5,7 @@ from __future__ import annotations
 import html
 import json
 import re
+import shutil
 from pathlib import Path
 from typing import Any
 
@@ -227,3 +228,21 @@ def test_a_warning_and_an_early_end_name_their_first_run(
     assert "step" in why
     assert count == "2"
     assert first == "run 0: drives.drive.motor.torque_N_m 45, seed 1"
+
+
+def test_stationary_steps_of_the_file_change_on_resume_without_new_runs(
+    made: tuple[Study, xarray.Dataset, Path], tmp_path: Path
+) -> None:
+    """Source: the file itself: what is extrapolated is decided after the runs."""
+    _, runs, folder = made
+    shutil.copytree(folder / "out", tmp_path / "out")
+    given = {**STUDY, "scenario": str(folder / "wheel.yaml")}
+    held = Study({**given, "stationary_steps": {"run on": 600}})
+    written = (tmp_path / "out" / "units" / "000000.json").stat().st_mtime_ns
+    found = held.run(tmp_path / "out", workers=1, resume=True)
+    assert (tmp_path / "out" / "units" / "000000.json").stat().st_mtime_ns == written
+    assert found["stationary_s"].values[3] == 600
+    assert np.isnan(found["stationary_s"].values[[0, 1, 2, 4]]).all()
+    assert found["step_begin"].equals(runs["step_begin"].assign_coords(found["step_begin"].coords))
+    stationary = Study({**given, "one_off": False, "operation_s": 600})
+    assert stationary.run(tmp_path / "out", workers=1, resume=True).attrs["one_off"] == 0
