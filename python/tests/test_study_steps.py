@@ -5,6 +5,7 @@ from __future__ import annotations
 import html
 import json
 import re
+import shutil
 from pathlib import Path
 from typing import Any
 
@@ -225,3 +226,37 @@ def test_a_load_chart_beside_another_picture_is_refused(
     words = ["plot", "run.nc", "--load-chart", *other, "-o", str(tmp_path / "a.png")]
     assert main(words) == 2
     assert f"{other[0]}: found with --load-chart, allowed: one of both" in capsys.readouterr().err
+
+
+def test_a_warning_and_an_early_end_name_their_first_run(
+    made: tuple[Study, xarray.Dataset, Path], tmp_path: Path
+) -> None:
+    """Source: theta = M t^2 / 2 J: the push to 1.5 rad lasts 2.4 s with 45 N m, longer than its time-out of
+    2 s, and 1.7 s with 90 N m. Both seeds of the first case end early."""
+    text = WHEEL.replace("until: {after_s: 2}", "until: {value: {column: axle.joint_position, above: 1.5}}")
+    (tmp_path / "wheel.yaml").write_text(text.replace("1.5}}", "1.5}}, time_out_s: 2"), encoding="utf-8")
+    study = Study({**STUDY, "scenario": str(tmp_path / "wheel.yaml")})
+    study.run(tmp_path / "out", workers=1)
+    page = report.write(study.plan, tmp_path / "out", tmp_path / "report.html").read_text(encoding="utf-8")
+    ((why, count, first),) = cells(page, "Runs that did not finish")
+    assert "step" in why
+    assert count == "2"
+    assert first == "run 0: drives.drive.motor.torque_N_m 45, seed 1"
+
+
+def test_stationary_steps_of_the_file_change_on_resume_without_new_runs(
+    made: tuple[Study, xarray.Dataset, Path], tmp_path: Path
+) -> None:
+    """Source: the file itself: what is extrapolated is decided after the runs."""
+    _, runs, folder = made
+    shutil.copytree(folder / "out", tmp_path / "out")
+    given = {**STUDY, "scenario": str(folder / "wheel.yaml")}
+    held = Study({**given, "stationary_steps": {"run on": 600}})
+    written = (tmp_path / "out" / "units" / "000000.json").stat().st_mtime_ns
+    found = held.run(tmp_path / "out", workers=1, resume=True)
+    assert (tmp_path / "out" / "units" / "000000.json").stat().st_mtime_ns == written
+    assert found["stationary_s"].values[3] == 600
+    assert np.isnan(found["stationary_s"].values[[0, 1, 2, 4]]).all()
+    assert found["step_begin"].equals(runs["step_begin"].assign_coords(found["step_begin"].coords))
+    stationary = Study({**given, "one_off": False, "operation_s": 600})
+    assert stationary.run(tmp_path / "out", workers=1, resume=True).attrs["one_off"] == 0

@@ -159,7 +159,9 @@ def _warnings(folder: Path) -> list[WarningCount]:
     alike: dict[tuple[str, str, str], WarningCount] = {}
     for marker in layout.markers(folder):
         for one in marker["warnings"]:
-            none: WarningCount = {**one, "runs": 0}
+            # Units finished by an older version have no first run: theirs is the first of the unit.
+            first = marker["runs"][0] + one.get("first_run", 0)
+            none: WarningCount = {**one, "runs": 0, "first_run": first}
             entry = alike.setdefault(kind_of(one), none)
             entry["runs"] += one["runs"]
     return sorted(alike.values(), key=lambda one: (-one["runs"], one["name"]))
@@ -202,7 +204,8 @@ def warning_lines(found: ResultSummary, runs: int) -> Iterator[str]:
         first = found["ends"][0]
         yield f"warning, in {len(found['ends'])} of {runs} runs, first run {first['run']}: {first['text']}"
     for one in found["warnings"][:WARNED]:
-        yield f"warning, in {one['runs']} of {runs} runs, first: {one['name']}: {one['text']}"
+        where = f"in {one['runs']} of {runs} runs, first in run {one['first_run']}"
+        yield f"warning, {where}: {one['name']}: {one['text']}"
     if (more := len(found["warnings"]) - WARNED) > 0:
         yield f"warning, {more} more kinds of warnings: {layout.UNITS}/*.json have them"
 

@@ -21,7 +21,7 @@ from ..simulation.outcomes import NUMBER
 from ..simulation.simulate import run
 from ..study.design.job import WarningCount
 from ..study.reduce import FINISHED, HELD, UNKNOWN
-from ..study.summary import ResultSummary
+from ..study.summary import EndedRun, ResultSummary
 from .blocks import Block, Command, Heading, Link, Paragraph, Picture, Section, Table
 from .cases import STORE, bounds_text, case_text, run_text
 
@@ -93,23 +93,31 @@ def limits_table(runs: xarray.Dataset, axes: Sequence[str]) -> Table:
     return Table("Limits over all runs", head, rows, origin, (3, 4))
 
 
-def status_blocks(runs: xarray.Dataset, ends: Sequence[str]) -> list[Block]:
+def status_blocks(runs: xarray.Dataset, ends: Sequence[EndedRun], axes: Sequence[str]) -> list[Block]:
     """Number of finished runs, and the reasons why others did not finish."""
     status = runs["status"].values
     blocks: list[Block] = [Paragraph(f"{int((status == FINISHED).sum())} of {status.size} runs finished.")]
     if len(ends):
-        texts, counts = np.unique(np.array([NUMBER.sub("#", text) for text in ends]), return_counts=True)
-        rows = [(text, str(count)) for text, count in zip(texts, counts, strict=True)]
+        alike = np.array([NUMBER.sub("#", one["text"]) for one in ends])
+        texts, first, counts = np.unique(alike, return_index=True, return_counts=True)
+        where = (run_text(runs, ends[at]["run"], axes) for at in first)
+        rows = [(text, str(count), run) for text, count, run in zip(texts, counts, where, strict=True)]
         origin = "Files: units/*.json, field ends. These runs have no statistics."
-        blocks.append(Table("Runs that did not finish", ("why", "runs"), rows, origin, (1,)))
+        blocks.append(Table("Runs that did not finish", ("why", "runs", "first"), rows, origin, (1,)))
     return blocks
 
 
-def warnings_table(warnings: Sequence[WarningCount], count: int) -> list[Block]:
+def warnings_table(
+    runs: xarray.Dataset, warnings: Sequence[WarningCount], axes: Sequence[str]
+) -> list[Block]:
     """Table of the engine's warnings, each kind once."""
-    rows = [(f"{one['name']}: {one['text']}", f"{one['runs']} of {count}") for one in warnings]
+    rows = []
+    for one in warnings:
+        where = run_text(runs, one["first_run"], axes)
+        rows.append((f"{one['name']}: {one['text']}", f"{one['runs']} of {runs.sizes['run']}", where))
     origin = "Files: units/*.json, field warnings. Texts that differ in their numbers alone count as one."
-    return [Table("Warnings of the runs", ("first text", "runs"), rows, origin, (1,))] if rows else []
+    head = ("first text", "runs", "first")
+    return [Table("Warnings of the runs", head, rows, origin, (1,))] if rows else []
 
 
 def section(
@@ -134,9 +142,9 @@ def section(
     app
         The address of an app, for the links.
     """
-    blocks = status_blocks(runs, [one["text"] for one in came_of["ends"]])
+    blocks = status_blocks(runs, came_of["ends"], axes)
     blocks += [limits_table(runs, axes)] if "limit" in runs.sizes else []
-    blocks += warnings_table(came_of["warnings"], runs.sizes["run"])
+    blocks += warnings_table(runs, came_of["warnings"], axes)
     drawn: set[int] = set()
     worst = worst_runs(runs)[:MOST_WORST]
     charted = next((one for one in worst if one.column.endswith(".load_utilisation")), *worst[:1])

@@ -52,7 +52,7 @@ def _times(runs: xarray.Dataset, axes: Sequence[str]) -> Table:
         reached = finished & np.isfinite(begin[:, k])
         count = f"{int(reached.sum())} of {int(finished.sum())}"
         held_s = float(runs["stationary_s"].values[k])
-        kind = f"stationary, extrapolated to {held_s:g} s" if np.isfinite(held_s) else _kind(runs)
+        kind = _kind(runs, held_s, lasts[reached, k])
         if not reached.any():
             rows.append((str(k + 1), str(name), kind, count, "-", "-", "-", "-"))
             continue
@@ -66,8 +66,14 @@ def _times(runs: xarray.Dataset, axes: Sequence[str]) -> Table:
     return Table("Steps over all runs", head, rows, origin, (0, 4, 5, 6))
 
 
-def _kind(runs: xarray.Dataset) -> str:
-    return "once" if runs.attrs.get("one_off") else "part of a stationary run"
+def _kind(runs: xarray.Dataset, held_s: float, lasts_s: NDArray[np.float64]) -> str:
+    """Describe whether a step happens once, or how far its largest value is extrapolated."""
+    if not runs.attrs.get("one_off"):
+        return "part of a stationary run"
+    if np.isnan(held_s):
+        return "once"
+    times = f", {held_s / lasts_s.mean():.3g} times its length" if len(lasts_s) else ""
+    return f"stationary, extrapolated to {held_s:g} s{times}"
 
 
 def _shares(runs: xarray.Dataset) -> NDArray[np.float64]:

@@ -46,13 +46,14 @@ class Job:
 
 
 class WarningCount(TypedDict):
-    """Number of runs with one kind of warning, and its first text; texts that differ only in numbers are one
-    kind."""
+    """Number of runs with one kind of warning, and its first text with its run; texts that differ only in
+    numbers are one kind. In a unit, `first_run` counts from its first run."""
 
     code: str
     name: str
     text: str
     runs: int
+    first_run: int
 
 
 @dataclass(frozen=True)

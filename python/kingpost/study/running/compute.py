@@ -72,13 +72,13 @@ def _some(
         if ended is not None:
             ends[run] = str(ended)
         reduce.reduce(arrays, run, rows[k], at, limits[k], ended is None, job.kept, places.get(COLUMN))
-        _count(warnings[k], warned)
+        _count(warnings[k], run, warned)
 
 
-def _count(warnings: list[WarningEntry], warned: Warned) -> None:
+def _count(warnings: list[WarningEntry], run: int, warned: Warned) -> None:
     of_run = {kind_of(one): one["text"] for one in reversed(warnings)}
     for kind, text in of_run.items():
-        none: WarningCount = {"code": kind[0], "name": kind[1], "text": text, "runs": 0}
+        none: WarningCount = {"code": kind[0], "name": kind[1], "text": text, "runs": 0, "first_run": run}
         warned.setdefault(kind, none)["runs"] += 1
 
 
