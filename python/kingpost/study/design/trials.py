@@ -18,8 +18,8 @@ MOST_NAMED = 3
 """Largest number of valid values of an axis that an error names."""
 TAKEN = {
     *("run", "case", "seed", "sample", "cell", "status", "statistic", "statistics"),
-    *("column", "column_unit", "limit", "limit_column", "limit_unit", "at_least", "at_most", "limit_from_s"),
-    *("limit_held", "limit_worst", "limit_time"),
+    *("column", "column_unit", "limit", "limit_column", "limit_unit", "at_least", "at_most"),
+    *("limit_from_s", "limit_until_s", "limit_held", "limit_worst", "limit_time"),
     *("peak", "peaks", "peak_count", "slope", "damage", "cycles"),
 }
 """Names of the results, which are not allowed for an axis."""

@@ -57,15 +57,18 @@ class Maxima:
         least, most = results["at_least"].values, results["at_most"].values
         of_run = np.fmax(_worst(results, "limit_worst") - most, least - _worst(results, "limit_worst"))
         duration_s, after_s = (float(results.attrs[name]) for name in ("duration_s", "after_s"))
-        from_s = np.full(len(least), after_s)
+        from_s, until_s = np.full(len(least), after_s), np.full(len(least), duration_s)
         if "limit_from_s" in results.coords:
             from_s = np.maximum(results["limit_from_s"].values, after_s)
+        if "limit_until_s" in results.coords:
+            until_s = results["limit_until_s"].values
         of_steps = np.empty((len(of_run), 0, len(least)))
         if "step_limit_worst" in results:
             worst = _worst(results, "step_limit_worst")
             of_steps = np.fmax(worst - most, least - worst)
         possible = _largest_excess(results, least, most)
-        return cls(of_run, of_steps, possible, _positive(duration_s - from_s), *_of_steps(results, from_s))
+        by_steps = _of_steps(results, from_s, until_s)
+        return cls(of_run, of_steps, possible, _positive(until_s - from_s), *by_steps)
 
     @classmethod
     def of_columns(cls, results: xarray.Dataset, sign: float) -> Maxima:
@@ -81,8 +84,9 @@ class Maxima:
         possible = np.array(
             [max(sign * end for end in bounds(str(name))) for name in results["column"].values]
         )
-        record_s = float(results.attrs["duration_s"]) - from_s
-        return cls(of_run, of_steps, possible, record_s, *_of_steps(results, from_s))
+        duration_s = float(results.attrs["duration_s"])
+        by_steps = _of_steps(results, from_s, np.full(columns, duration_s))
+        return cls(of_run, of_steps, possible, duration_s - from_s, *by_steps)
 
     def largest(self, runs: NDArray[np.intp], k: int, operation_s: float) -> Largest | None:
         """Distribution of the largest value of a quantity over the runs of a case; None if it is not known.
@@ -143,14 +147,14 @@ def _largest_excess(results: xarray.Dataset, least: Numbers, most: Numbers) -> N
     return np.fmax(high - most, least - low)
 
 
-def _of_steps(results: xarray.Dataset, from_s: Numbers) -> tuple[Numbers, Numbers, bool]:
+def _of_steps(results: xarray.Dataset, from_s: Numbers, until_s: Numbers) -> tuple[Numbers, Numbers, bool]:
     """Time for which each quantity is evaluated in each step, the duration to which each step is
     extrapolated, and whether a run happens once."""
     one_off = bool(results.attrs.get("one_off", 0))
     if "step_begin" not in results:
         return np.empty((results.sizes["run"], 0, len(from_s))), np.empty(0), one_off
     begin, end = (results[name].transpose("run", "step").values for name in ("step_begin", "step_end"))
-    lengths_s = _positive(end[..., None] - np.maximum(begin[..., None], from_s))
+    lengths_s = _positive(np.minimum(end[..., None], until_s) - np.maximum(begin[..., None], from_s))
     return lengths_s, results["stationary_s"].values, one_off
 
 

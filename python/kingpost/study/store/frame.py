@@ -86,6 +86,9 @@ def coordinates(plan: Plan) -> dict[str, tuple[str, NDArray[np.generic], dict[st
         found["at_most"] = ("limit", np.array([one.at_most for one in plan.limits], float), {})
         bounds = plan.kept.bounds
         found["limit_from_s"] = ("limit", np.array([one.from_s for one in bounds], float), {"units": "s"})
+        duration_s = float(plan.scenario.resolved["simulation"]["duration_s"])
+        until_s = np.minimum([one.until_s for one in bounds], duration_s)
+        found["limit_until_s"] = ("limit", until_s, {"units": "s"})
         found["limit_unit_si"] = ("limit", np.array([one.unit_si for one in bounds], float), {})
     if plan.kept.steps:
         found["step"] = ("step", np.arange(1, len(plan.kept.steps) + 1), {})
