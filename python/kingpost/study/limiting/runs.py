@@ -56,7 +56,8 @@ def limiting_heights(
     results
         Results of a study whose axes are a grid: `limit_worst` and `status` along ``run``, the axes,
         ``at_least`` and ``at_most`` as coordinates, the attributes ``axes``, ``sea``, ``duration_s`` and
-        ``after_s``; the coordinates ``limit_from_s`` and ``limit_until_s`` of limits that count for a part of a run.
+        ``after_s``; the coordinates ``limit_from_s`` and ``limit_until_s`` of limits that count for a part of
+        a run.
     acceptance
         Accepted probability; default: that of the study.
     operation_s
