@@ -105,8 +105,14 @@ class _Builder:
             self.forces |= loads.water_on_body(one, deck)
             self._note_stiffness(one)
         self._points()
+        names: dict[int, str] = {}
         for line in self.lines:
-            self.forces[self._name(line.name, self.forces, "line")] = {"line": self._line(line)}
+            names[id(line)] = self._name(line.name, self.forces, "line")
+            self.forces[names[id(line)]] = {"line": self._line(line)}
+        for line in self.lines:
+            if line.on:
+                on = {"line": names[id(line.on[0])], "section": line.on[1]}
+                self.forces[names[id(line)]]["line"]["second_on"] = on
         sea: dict[str, Any] = {"density_kg_m3": deck.water.density_kg_m3}
         if deck.water.depth_m:
             sea["depth_m"] = deck.water.depth_m
@@ -132,8 +138,8 @@ class _Builder:
         return point.position_m if body is None else loads.rotated(body, point.position_m)
 
     def _points(self) -> None:
-        """Bodies of free points; those that join two lines need none."""
-        ends = {end for line in self.lines for end in line.ends}
+        """Bodies of free points; those that join lines need none."""
+        ends = {end for line in self.lines for end in line.ends[: 1 if line.on or line.is_free else 2]}
         for name, point in self.deck.points.items():
             if name not in self.at:
                 if not name.startswith("rod_"):
@@ -183,12 +189,17 @@ class _Builder:
         return rate * step * (step + damping) > 1
 
     def _line(self, line: Joined) -> dict[str, Any]:
-        first, second = (self._pin(end) for end in line.ends)
-        if first["body"] == second["body"]:
-            second["body"] = self._beside(second["body"], line)
-        fields: dict[str, Any] = {"first": first, "second": second}
+        fields: dict[str, Any] = {"first": self._pin(line.ends[0])}
+        joints = line.joints
+        if line.is_free:
+            fields["second_free"] = True
+            joints = [*joints, line.ends[1]]
+        elif not line.on:
+            fields["second"] = self._pin(line.ends[1])
+            if fields["first"]["body"] == fields["second"]["body"]:
+                fields["second"]["body"] = self._beside(fields["second"]["body"], line)
         fields["sections"] = [section(part, self.deck) for part in line.parts]
-        for before, joint in zip(fields["sections"], line.joints, strict=False):
+        for before, joint in zip(fields["sections"], joints, strict=False):
             before.update(loads.clump_weight(self.deck.points[joint]))
         water = self.deck.water
         if water.depth_m and water.stiffness_n_per_m3:
