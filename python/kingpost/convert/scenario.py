@@ -94,6 +94,7 @@ class _Builder:
         self.bodies: dict[str, Any] = {}
         self.forces: dict[str, Any] = {"gravity": {"gravity": {"acceleration_m_s2": deck.water.gravity_m_s2}}}
         self.carriers: dict[str, str] = {}
+        self.names: dict[int, str] = {}
         self.is_stiff = False
 
     def fields(self, title: str) -> dict[str, Any]:
@@ -105,14 +106,11 @@ class _Builder:
             self.forces |= loads.water_on_body(one, deck)
             self._note_stiffness(one)
         self._points()
-        names: dict[int, str] = {}
         for line in self.lines:
-            names[id(line)] = self._name(line.name, self.forces, "line")
-            self.forces[names[id(line)]] = {"line": self._line(line)}
+            self.names[id(line)] = self._name(line.name, self.forces, "line")
+            self.forces[self.names[id(line)]] = {}
         for line in self.lines:
-            if line.on:
-                on = {"line": names[id(line.on[0])], "section": line.on[1]}
-                self.forces[names[id(line)]]["line"]["second_on"] = on
+            self.forces[self.names[id(line)]]["line"] = self._line(line)
         sea: dict[str, Any] = {"density_kg_m3": deck.water.density_kg_m3}
         if deck.water.depth_m:
             sea["depth_m"] = deck.water.depth_m
@@ -194,7 +192,10 @@ class _Builder:
         if line.is_free:
             fields["second_free"] = True
             joints = [*joints, line.ends[1]]
-        elif not line.on:
+        elif line.on:
+            carrier, at = line.on
+            fields["second_on"] = {"line": self.names[id(carrier)], "section": at}
+        else:
             fields["second"] = self._pin(line.ends[1])
             if fields["first"]["body"] == fields["second"]["body"]:
                 fields["second"]["body"] = self._beside(fields["second"]["body"], line)

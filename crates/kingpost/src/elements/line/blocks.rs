@@ -107,6 +107,16 @@ impl<S: Scalar> Blocks<S> {
         self.eliminated.clone().for_each(|node| self.eliminate(node));
     }
 
+    /// Takes the factors of other equations in all lanes but the open ones, which have 1, not 0.
+    pub fn keep(&mut self, kept: &Self, open: S) {
+        let keep = |one: &mut Matrix3<S>, kept: &Matrix3<S>| {
+            *one = Matrix3::from_fn(|i, j| open.select_below(0.5, || kept.0[i][j], || one.0[i][j]));
+        };
+        self.diagonal.iter_mut().zip(&kept.diagonal).for_each(|(one, kept)| keep(one, kept));
+        let pairs = self.above.iter_mut().chain(&mut self.below).zip(kept.above.iter().chain(&kept.below));
+        pairs.flat_map(|(one, kept)| one.iter_mut().zip(kept)).for_each(|(one, kept)| keep(one, kept));
+    }
+
     /// Returns what elimination leaves at the last node of a line that is fastened to another one: of A, and of b.
     pub fn condensed(&self) -> (Matrix3<S>, Vector3<S>) {
         let last = self.right.len() - 1;

@@ -41,6 +41,11 @@ impl<S: Scalar> Equations<S> {
         }
     }
 
+    /// Takes the factors of other equations in all lanes but the open ones, which have 1, not 0.
+    pub fn keep(&mut self, kept: &Self, open: S) {
+        self.strands.iter_mut().zip(&kept.strands).for_each(|(blocks, kept)| blocks.keep(kept, open));
+    }
+
     /// Solves for x at the nodes of all lines, with A factored; see [`Blocks::substitute`].
     pub fn solve(&mut self, x: &mut [Vector3<S>]) {
         for k in (0..self.strands.len()).rev() {

@@ -75,7 +75,7 @@ impl<S: Scalar> LineStep<S> {
     pub fn new(strands: &[Strand<S>]) -> Self {
         let spans: Vec<_> = strands.iter().map(|strand| LineSpan::new(&strand.mesh)).collect();
         Self {
-            rises: Vec::new(),
+            rises: vec![S::ZERO; spans.iter().map(|span| span.rises.len()).sum()],
             moved: Vec::new(),
             descent: Descent::new(spans.iter().map(|span| span.base.len()).sum()),
             spans,
@@ -140,17 +140,20 @@ impl<S: Scalar> LineStep<S> {
         let points = spans.iter_mut().zip(strands).zip(ends);
         moved.clear();
         moved.extend(points.map(|((span, line), ends)| to_point(span, &line.mesh, &ends, (interval_s, is_same_time))));
+        let mut open = S::ONE;
         if is_same_time {
-            let stays = moved.iter().flatten().all(|way| way.norm_squared().all(|square| square == 0.0));
             descent.follow(equations, moved, spans.iter_mut().map(|span| &mut span.next));
-            if stays && strands.iter().all(|Strand { mesh, .. }| mesh.supplied == 0 && mesh.bends.is_empty()) {
-                return Ok(());
+            if strands.iter().all(|Strand { mesh, .. }| mesh.supplied == 0 && mesh.bends.is_empty()) {
+                open = have_moved(moved);
             }
+        }
+        descent.begin_again(open);
+        if descent.has_arrived() {
+            return Ok(());
         }
         let shortest = shortest(strands);
         let [with_new, with_old, longest] =
             [CONVERGED, CONVERGED_WITH_OLD, LONGEST_MOVE].map(|share| shortest * S::constant(share));
-        descent.begin();
         for iteration in 0..MOST_ITERATIONS {
             let has_old = if is_same_time { iteration == 0 } else { iteration == 1 };
             let (mut may_arrive, mut enough) = (S::ONE, with_new);
@@ -158,10 +161,15 @@ impl<S: Scalar> LineStep<S> {
                 write::<S, false>(equations, spans, strands);
                 (may_arrive, enough) = (have_not_jumped(rises, spans), with_old);
             } else {
+                // Lanes that have arrived keep their matrix, as if they were alone.
+                let open = descent.open();
+                let kept = (!open.all(|open| open == 1.0)).then(|| equations.clone());
                 write::<S, true>(equations, spans, strands);
                 equations.factor();
-                rises.clear();
-                spans.iter().for_each(|span| rises.extend_from_slice(&span.rises));
+                kept.iter().for_each(|kept| equations.keep(kept, open));
+                for (old, new) in rises.iter_mut().zip(spans.iter().flat_map(|span| &span.rises)) {
+                    *old = open.select_below(0.5, || *old, || *new);
+                }
             }
             let nodes = spans.iter_mut().map(|span| &mut span.next);
             descent.improve(equations, nodes, [enough, longest], may_arrive);
@@ -249,6 +257,12 @@ fn book<S: Scalar>(span: &LineSpan<S>, Strand { mesh, ground, .. }: &Strand<S>, 
         booked.dissipated += of_drag + of_ground;
         booked.outside += of_water.dot(span.way(i)) + of_drag;
     }
+}
+
+/// Returns 1 for lanes in which an end has moved, else 0.
+fn have_moved<S: Scalar>(moved: &[[Vector3<S>; 2]]) -> S {
+    let squares = moved.iter().flatten().map(|way| way.norm_squared());
+    squares.fold(S::ZERO, |so_far, square| square.select_below(f64::MIN_POSITIVE, || so_far, || S::ONE))
 }
 
 /// Returns 1 if derivatives that jump are the old ones, else 0.
