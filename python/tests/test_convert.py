@@ -123,7 +123,9 @@ WEIGHT = ("2   Free        390    0  -107.0  0     0       0    0", "2   Free 39
 @pytest.mark.parametrize("is_bare", [False, True])
 def test_three_lines_that_meet_at_a_free_point_are_fastened_to_one_of_them(deck, is_bare) -> None:
     """Source: the numbers of the deck."""
-    path = deck((POINTS, POINTS + THIRD), (LINES, LINES + "3 wire 2 4 405 11 -\n"), *([] if is_bare else [WEIGHT]))
+    path = deck(
+        (POINTS, POINTS + THIRD), (LINES, LINES + "3 wire 2 4 405 11 -\n"), *([] if is_bare else [WEIGHT])
+    )
     found = resolved(path)
     assert set(found["bodies"]) == {"vessel"}
     assert found["simulation"]["integrator"] == "rk4"
@@ -139,7 +141,7 @@ def test_three_lines_that_meet_at_a_free_point_are_fastened_to_one_of_them(deck,
 
 
 def test_lines_between_two_joints_are_sections(deck) -> None:
-    """Two anchors meet below, two fairleads above: the line between both joints continues one from an anchor."""
+    """Lines of two anchors meet below, those of two fairleads above; the line between continues one."""
     more = "4 Fixed 700 200 -200 0 0 0 0\n5 Free 100 0 -60 0 0 0 0\n6 Coupled 0 10 -14 0 0 0 0\n"
     lines = "3 chain 4 2 405 20 -\n4 wire 5 3 120 11 -\n5 wire 5 6 120 11 -\n"
     path = deck((POINTS, POINTS + more), (LINES, "2 wire 2 5 405 11 -\n" + lines))
@@ -161,8 +163,14 @@ def test_lines_in_a_circle_of_free_points_are_connected_by_bodies(deck) -> None:
     assert found["simulation"]["integrator"] == "dormand_prince"
 
 
+def test_a_deck_without_a_body_gets_one(deck) -> None:
+    points = "3 Fixed 0 0 -14 0 0 0 0\n4 Fixed 0 10 -14 0 0 0 0\n"
+    path = deck((POINTS, points), (LINES, LINES + "3 wire 2 4 405 11 -\n"))
+    assert set(resolved(path)["bodies"]) == {"fixed_points"}
+
+
 def test_a_line_to_a_free_point_ends_freely(deck) -> None:
-    path = deck((LINES, "2 wire 3 2 405 11 -\n"), ("1   chain     1        2", "1   chain     1        3"))
+    path = deck((LINES, "2 wire 3 2 405 11 -\n"), ("1   chain     1        2        405", "1 chain 1 3 850"))
     line = resolved(path)["forces"]["line_2"]["line"]
     assert line["second_free"]
     assert line["first"]["body"] == "vessel"

@@ -107,8 +107,8 @@ def _trees(lines: list[Joined], free: set[str]) -> list[list[Joined]]:
 def _fastened(tree: list[Joined], free: set[str]) -> list[Joined]:
     """Lines that are fastened to each other; none if they cannot be.
 
-    Each begins where a body holds it. It goes through joints to the one at which it is fastened to a line that goes on from
-    there; the first line ends freely at the last joint, or beyond.
+    Each begins where a body holds it. It goes through joints to the one at which it is fastened to a line
+    that goes on from there; the first line ends freely at the last joint, or beyond.
     """
     ends = [end for line in tree for end in line.ends if end in free]
     loose = [end for end in ends if ends.count(end) == 1]

@@ -13,6 +13,8 @@ from .joining import Joined, attached, joined
 DURATION_S, RECORD_EVERY_S = 100.0, 0.1
 JUNCTION_SHARE = 0.1
 """Mass of the body of a free point without mass, over half the mass of the segments that meet there."""
+FIXED = "fixed_points"
+PLACEHOLDER = {"mass_kg": loads.PLACEHOLDER_KG, "shape": {"point": {}}, "joint": {"fixed": {}}}
 NO_TYPE = "no line has this type"
 
 
@@ -111,6 +113,11 @@ class _Builder:
             self.forces[self.names[id(line)]] = {}
         for line in self.lines:
             self.forces[self.names[id(line)]]["line"] = self._line(line)
+        if not self.bodies:
+            self.bodies[FIXED] = PLACEHOLDER
+            deck.notes.convert(
+                None, FIXED, f"a body of {loads.PLACEHOLDER_KG:g} kg, because a scenario has one"
+            )
         sea: dict[str, Any] = {"density_kg_m3": deck.water.density_kg_m3}
         if deck.water.depth_m:
             sea["depth_m"] = deck.water.depth_m
@@ -218,9 +225,8 @@ class _Builder:
 
     def _beside(self, body: str, line: Joined) -> str:
         """A further body on the same carrier: the ends of a line are on two bodies."""
-        name = "fixed_points" if body == WORLD else f"{body}_points"
-        fields = {"mass_kg": loads.PLACEHOLDER_KG, "shape": {"point": {}}, "joint": {"fixed": {}}}
-        self.bodies.setdefault(name, fields if body == WORLD else {"parent": body, **fields})
+        name = FIXED if body == WORLD else f"{body}_points"
+        self.bodies.setdefault(name, PLACEHOLDER if body == WORLD else {"parent": body, **PLACEHOLDER})
         why = f"its second end is on {name}, a body of 1 kg fixed to {body}, because both ends are on {body}"
         self.deck.notes.convert(line.parts[-1].line, line.name, why)
         return name
