@@ -148,8 +148,10 @@ def test_lines_between_two_joints_are_sections(deck) -> None:
     found = resolved(path)["forces"]
     on = {name: force["line"].get("second_on") for name, force in found.items() if "line" in force}
     assert on == {
-        "line_1": {"line": "line_3_2_5", "section": 0},
-        "line_4": None,
+        "line_1": None,
+        "line_3": {"line": "line_1", "section": 0},
+        "line_4_2": {"line": "line_1", "section": 0},
+        "line_5": {"line": "line_4_2", "section": 0},
     }
 
 

@@ -4,7 +4,7 @@
 //! after which they push back with more than half of the force that began it has overshot a kink, and is halved. Drag has no
 //! energy: a move against the forces, which it can cause, is not judged.
 
-use super::equations::Equations;
+use super::equations::LineEquations;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
@@ -56,7 +56,7 @@ impl<S: Scalar> Descent<S> {
     /// Moves the nodes of all lines by the linear effect of moves of their ends, which the equations have the matrix for.
     pub fn follow<'a>(
         &mut self,
-        equations: &mut Equations<S>,
+        equations: &mut LineEquations<S>,
         ends: &[[Vector3<S>; 2]],
         nodes: impl Iterator<Item = &'a mut Vec<Vector3<S>>>,
     ) where
@@ -71,7 +71,7 @@ impl<S: Scalar> Descent<S> {
     /// shorter than `enough` (m), if it may arrive: 1, or 0.
     pub fn improve<'a>(
         &mut self,
-        equations: &mut Equations<S>,
+        equations: &mut LineEquations<S>,
         nodes: impl Iterator<Item = &'a mut Vec<Vector3<S>>>,
         [enough, longest]: [S; 2],
         may_arrive: S,
@@ -118,7 +118,7 @@ impl<S: Scalar> Descent<S> {
     /// Completes the derivatives of nodes that have arrived, whose equations are given: their values stay.
     pub fn differentiate<'a>(
         &mut self,
-        equations: &mut Equations<S>,
+        equations: &mut LineEquations<S>,
         nodes: impl Iterator<Item = &'a mut Vec<Vector3<S>>>,
     ) where
         S: 'a,

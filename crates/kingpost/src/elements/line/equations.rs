@@ -11,7 +11,7 @@ use crate::spatial::Vector3;
 
 /// The equations `A x = b` of a tree of lines: each line comes behind the one to which it is fastened.
 #[derive(Clone, Debug)]
-pub struct Equations<S> {
+pub struct LineEquations<S> {
     /// Those of each line.
     pub strands: Vec<Blocks<S>>,
     joints: Vec<Option<LineJoint>>,
@@ -19,7 +19,7 @@ pub struct Equations<S> {
     firsts: Vec<usize>,
 }
 
-impl<S: Scalar> Equations<S> {
+impl<S: Scalar> LineEquations<S> {
     /// Allocates the memory for these lines.
     pub fn new(strands: &[Strand<S>]) -> Self {
         let of = |strand: &Strand<S>| Blocks::new(&strand.mesh);
@@ -101,7 +101,7 @@ mod tests {
     }
 
     /// Adds numbers to the equations, and returns A x - b at each node of each line, where a branch has the x of its joint.
-    fn fill(equations: &mut Equations<f64>, bends: bool) -> impl Fn(&[Vec<Vector3>]) -> Vec<Vec<Vector3>> + use<> {
+    fn fill(equations: &mut LineEquations<f64>, bends: bool) -> impl Fn(&[Vec<Vector3>]) -> Vec<Vec<Vector3>> + use<> {
         let mut added = Vec::new();
         for (strand, blocks) in equations.strands.iter_mut().enumerate() {
             let count = blocks.right().len();
@@ -133,7 +133,7 @@ mod tests {
 
     /// Solves equations of lines. Returns the largest rest at a node that moves by itself.
     fn largest_rest(strands: &[Strand], bends: bool) -> f64 {
-        let mut equations = Equations::new(strands);
+        let mut equations = LineEquations::new(strands);
         let rest_of = fill(&mut equations, bends);
         let counts = strands.iter().map(|strand| strand.mesh.nodes.len());
         let mut flat = vec![Vector3::zero(); counts.clone().sum()];

@@ -2,7 +2,6 @@
 //! Gaussian velocities of the water relative to the nodes.
 
 use super::DynamicLine;
-use super::equations::firsts;
 use super::section::{LineDrag, WetPart};
 use crate::elements::random_drag::{mean_across, mean_along};
 use crate::elements::{RandomDrag, WATER_COMPONENTS, WaterMotion};
@@ -55,13 +54,6 @@ impl<S: Scalar> DynamicLine<S> {
         let sections = meshes().flat_map(|mesh| &mesh.elements).flat_map(|element| element.section.drag);
         let clumps = meshes().flat_map(|mesh| &mesh.nodes).filter_map(|node| Some(node.clump?.drag_area));
         self.start.is_none() && sections.chain(clumps).any(has)
-    }
-
-    /// Returns the line and the node of it with this index among the nodes of all lines.
-    fn among_all(&self, node: usize) -> (usize, usize) {
-        let firsts = firsts(&self.strands);
-        let strand = firsts.partition_point(|first| *first <= node) - 1;
-        (strand, node - firsts[strand])
     }
 }
 

@@ -1,6 +1,7 @@
 //! Nodes at which lines are fastened to each other: they move together, by the forces and masses of all.
 
 use super::DynamicLine;
+use super::equations::firsts;
 use super::strand::{LineJoint, Strand};
 use crate::scalar::Scalar;
 use crate::spatial::{Matrix3, Vector3};
@@ -13,6 +14,13 @@ impl<S: Scalar> DynamicLine<S> {
         let (position, velocity) = (node.position, node.velocity);
         let last = self.strands[strand].last();
         self.strands[strand].nodes.put(last, position, velocity);
+    }
+
+    /// Returns the line and the node of it with this index among the nodes of all lines.
+    pub(super) fn among_all(&self, node: usize) -> (usize, usize) {
+        let firsts = firsts(&self.strands);
+        let strand = firsts.partition_point(|first| *first <= node) - 1;
+        (strand, node - firsts[strand])
     }
 
     /// Computes the accelerations of joints, after the nodes of all lines are loaded.

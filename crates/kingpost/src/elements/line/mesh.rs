@@ -63,7 +63,7 @@ impl<S: Scalar> LineMeshNode<S> {
     }
 }
 
-/// What holds the second end of a line.
+/// Hold of the second end of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SecondEnd {
     /// A body or the world.
@@ -83,7 +83,7 @@ pub struct LineMesh<S> {
     pub nodes: Vec<LineMeshNode<S>>,
     /// Its bends, if it has bending stiffness.
     pub bends: Vec<Bend<S>>,
-    /// What holds the second end.
+    /// Hold of the second end.
     pub second: SecondEnd,
     /// Nodes to which other lines are fastened.
     pub joints: Vec<usize>,

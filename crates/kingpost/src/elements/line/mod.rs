@@ -93,7 +93,7 @@ fn ends_by_rule(strand: usize) -> usize {
     if strand == 0 { 2 } else { 1 }
 }
 
-/// What a response about rest leaves out of a line, and of several that are fastened to each other.
+/// Parts of a line, and of several that are fastened to each other, that a response about rest leaves out.
 const LEFT_OUT: &str = "the response has this line at rest between its ends at every instant, and leaves out its inertia, the waves on \
      it and its drag, which is zero at rest; in a run the drag damps the line, most near its own periods, and the ship on it";
 const LEFT_OUT_OF_ALL: &str = "the response has this line and those that are fastened to it at rest between their ends at every \

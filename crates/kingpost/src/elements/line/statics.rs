@@ -3,13 +3,13 @@
 use super::bend::LineEnds;
 use super::blocks::Blocks;
 use super::descent::Descent;
-use super::equations::Equations;
+use super::equations::LineEquations;
 use super::first_shape::shape;
 use super::ground::LineGround;
 use super::mesh::{LineMesh, LineMeshElement};
 use super::nodes::tangents;
 use super::section::WetPart;
-use super::strain::{gauss, slopes, strained, sum};
+use super::strain::{gauss, slopes, strained};
 use super::strand::{Strand, shortest};
 use crate::elements::Context;
 use crate::elements::lines::length_and_direction;
@@ -42,7 +42,7 @@ const FOR_DERIVATIVES: usize = 3;
 pub struct LineStatics<S> {
     positions: Vec<Vec<Vector3<S>>>,
     tangents: Vec<Vector3<S>>,
-    equations: Equations<S>,
+    equations: LineEquations<S>,
     descent: Descent<S>,
     /// Whether there is a solution.
     found: bool,
@@ -53,7 +53,7 @@ impl<S: Scalar> LineStatics<S> {
     pub fn new(strands: &[Strand<S>]) -> Self {
         let positions: Vec<_> = strands.iter().map(|strand| vec![Vector3::zero(); strand.mesh.nodes.len()]).collect();
         let count = positions.iter().map(Vec::len).sum();
-        let (equations, descent) = (Equations::new(strands), Descent::new(count));
+        let (equations, descent) = (LineEquations::new(strands), Descent::new(count));
         Self { positions, tangents: Vec::new(), equations, descent, found: false }
     }
 
@@ -81,8 +81,6 @@ impl<S: Scalar> LineStatics<S> {
             let nowhere = Vector3(core::array::from_fn(|_| S::constant(f64::NAN)));
             self.positions.iter_mut().for_each(|places| places.fill(nowhere));
         }
-        // A slack part has no shape of rest to begin with: in one that is straight and folded, the fold is an equilibrium.
-        self.found &= strands.iter().zip(&self.positions).all(|(strand, places)| is_taut(&strand.mesh, places));
         &self.positions
     }
 
@@ -128,15 +126,6 @@ impl<S: Scalar> LineStatics<S> {
             load(blocks, (&strand.mesh, ground.as_ref()), (positions, found), at);
         }
     }
-}
-
-/// Whether all points of a line with nodes at these positions are stretched.
-fn is_taut<S: Scalar>(mesh: &LineMesh<S>, positions: &[Vector3<S>]) -> bool {
-    (0..positions.len() - 1).all(|k| {
-        let places = [0, 1, 2].map(|i| positions[k / 2 * 2 + i]);
-        let way = sum(&slopes(gauss(k), mesh.elements[k / 2].length), &places);
-        way.norm_squared().all(|square| square > 1.0)
-    })
 }
 
 /// Adds tension and bending of a line with nodes at these positions to its equations.

@@ -21,7 +21,7 @@
 
 use super::bend::LineEnds;
 use super::descent::Descent;
-use super::equations::Equations;
+use super::equations::LineEquations;
 use super::mesh::LineMesh;
 use super::section::WetPart;
 use super::span::{LineSpan, NodeLoads};
@@ -60,7 +60,7 @@ pub struct LineStep<S> {
     /// Each line, behind the one to which it is fastened.
     spans: Vec<LineSpan<S>>,
     /// Equations, with the matrix of an iteration.
-    equations: Equations<S>,
+    equations: LineEquations<S>,
     /// Derivatives that jump, for that matrix.
     rises: Vec<S>,
     /// Moves of the ends of each line from the last point to the next, m.
@@ -79,7 +79,7 @@ impl<S: Scalar> LineStep<S> {
             moved: Vec::new(),
             descent: Descent::new(spans.iter().map(|span| span.base.len()).sum()),
             spans,
-            equations: Equations::new(strands),
+            equations: LineEquations::new(strands),
             energy: S::ZERO,
         }
     }
@@ -231,7 +231,7 @@ fn to_point<S: Scalar>(
 
 /// Writes the equations of Newton's method for lines; without `MATRIX`, their right sides only.
 fn write<S: Scalar, const MATRIX: bool>(
-    equations: &mut Equations<S>,
+    equations: &mut LineEquations<S>,
     spans: &mut [LineSpan<S>],
     strands: &[Strand<S>],
 ) {
