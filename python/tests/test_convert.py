@@ -117,52 +117,65 @@ def test_a_free_point_with_mass_between_two_lines_is_a_clump_weight(deck) -> Non
     assert second.get("clump_weight") is None
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "bodies"),
-    [
-        (
-            "2   Free        390    0  -107.0  0     0       0    0",
-            "2   Free 390 0 -107 4e3 2.0 1.5 0.6",
-            "submerged",
-        ),
-        (
-            "2   Free        390    0  -107.0  0     0       0    0",
-            "2   Con  390 0 -107 4e3 0 1.5 0",
-            "quadratic_damping",
-        ),
-        ("2   Free        390    0  -107.0  0     0       0    0", "2   free 390 0 -107 4e3 0 0 0", None),
-    ],
-)
-def test_a_free_point_with_mass_is_a_body_that_three_lines_connect(deck, old, new, bodies) -> None:
-    """Source: the numbers of the deck: buoyancy rho V, drag rho CdA / 2, added mass rho V Ca."""
-    found = resolved(deck((POINTS, POINTS + THIRD), (LINES, LINES + "3 wire 2 4 405 11 -\n"), (old, new)))
-    body = found["bodies"]["point_2"]
-    assert body["mass_kg"] == 4000
-    assert body["joint"]["floating"]["hold_rotation"]
-    assert body["joint"]["floating"]["initial"]["position_m"] == [390, 0, -107]
-    assert [found["forces"][name]["line"]["second"]["body"] for name in ("line_1", "line_2")] == [
-        "point_2",
-        "vessel",
-    ]
-    kinds = {kind for force in found["forces"].values() for kind in force}
-    assert kinds == {"gravity", "line"} | ({bodies} if bodies else set())
-    if bodies == "submerged":
-        water = found["forces"]["point_2_water"]["submerged"]
-        assert water["shape"]["sphere"]["radius_m"] == pytest.approx((1.5 / math.pi) ** (1 / 3))
-        assert water["added_mass"]["coefficients"] == [0.6] * 3
-        assert water["drag"]["areas_m2"] == [1.5] * 3
-    if bodies == "quadratic_damping":
-        damping = found["forces"]["point_2_drag"]["quadratic_damping"]
-        assert damping["linear_N_s2_m2"] == [1020 * 1.5 / 2] * 3
+WEIGHT = ("2   Free        390    0  -107.0  0     0       0    0", "2   Free 390 0 -107 4e3 2.0 1.5 0.6")
 
 
-def test_three_lines_that_meet_at_a_bare_point_are_connected_by_a_light_body(deck) -> None:
-    path = deck((POINTS, POINTS + THIRD), (LINES, LINES + "3 wire 2 4 405 11 -\n"))
+@pytest.mark.parametrize("is_bare", [False, True])
+def test_three_lines_that_meet_at_a_free_point_are_fastened_to_one_of_them(deck, is_bare) -> None:
+    """Source: the numbers of the deck."""
+    path = deck(
+        (POINTS, POINTS + THIRD), (LINES, LINES + "3 wire 2 4 405 11 -\n"), *([] if is_bare else [WEIGHT])
+    )
     found = resolved(path)
-    assert set(found["bodies"]) == {"vessel", "point_2"}
+    assert set(found["bodies"]) == {"vessel"}
+    assert found["simulation"]["integrator"] == "rk4"
+    lines = {name: force["line"] for name, force in found["forces"].items() if "line" in force}
+    assert set(lines) == {"line_1", "line_2", "line_3"}
+    assert lines["line_1"]["second_free"]
+    weight = {"mass_kg": 4000, "volume_m3": 2.0, "drag_area_m2": 1.5, "added_mass": 0.6}
+    assert lines["line_1"]["sections"][0].get("clump_weight") == (None if is_bare else weight)
+    for name, place in [("line_2", [0, 0, -14]), ("line_3", [0, 10, -14])]:
+        assert (lines[name]["first"]["body"], lines[name]["first"]["position_m"]) == ("vessel", place)
+        assert lines[name]["second_on"] == {"line": "line_1", "section": 0}
+    assert "second_on" in where(convert(path).notes.converted)[13, "point_2"]
+
+
+def test_lines_between_two_joints_are_sections(deck) -> None:
+    """Lines of two anchors meet below, those of two fairleads above; the line between continues one."""
+    more = "4 Fixed 700 200 -200 0 0 0 0\n5 Free 100 0 -60 0 0 0 0\n6 Coupled 0 10 -14 0 0 0 0\n"
+    lines = "3 chain 4 2 405 20 -\n4 wire 5 3 120 11 -\n5 wire 5 6 120 11 -\n"
+    path = deck((POINTS, POINTS + more), (LINES, "2 wire 2 5 405 11 -\n" + lines))
+    found = resolved(path)["forces"]
+    on = {name: force["line"].get("second_on") for name, force in found.items() if "line" in force}
+    assert on == {
+        "line_1": None,
+        "line_3": {"line": "line_1", "section": 0},
+        "line_4_2": {"line": "line_1", "section": 0},
+        "line_5": {"line": "line_4_2", "section": 0},
+    }
+
+
+def test_lines_in_a_circle_of_free_points_are_connected_by_bodies(deck) -> None:
+    """Two lines side by side between two free points: a circle, which `second_on` does not have."""
+    more = "4 Free 100 0 -60 4e3 0 0 0\n"
+    lines = "2 wire 2 4 405 11 -\n3 wire 2 4 405 11 -\n4 wire 4 3 120 11 -\n"
+    found = resolved(deck((POINTS, POINTS + more), (LINES, lines)))
+    assert set(found["bodies"]) == {"vessel", "point_2", "point_4"}
     assert 0 < found["bodies"]["point_2"]["mass_kg"] < 1000
     assert found["simulation"]["integrator"] == "dormand_prince"
-    assert "a tenth" in where(convert(path).notes.converted)[13, "point_2,"]
+
+
+def test_a_deck_without_a_body_gets_one(deck) -> None:
+    points = "3 Fixed 0 0 -14 0 0 0 0\n4 Fixed 0 10 -14 0 0 0 0\n"
+    path = deck((POINTS, points), (LINES, LINES + "3 wire 2 4 405 11 -\n"))
+    assert set(resolved(path)["bodies"]) == {"fixed_points"}
+
+
+def test_a_line_to_a_free_point_ends_freely(deck) -> None:
+    path = deck((LINES, "2 wire 3 2 405 11 -\n"), ("1   chain     1        2        405", "1 chain 1 3 850"))
+    line = resolved(path)["forces"]["line_2"]["line"]
+    assert line["second_free"]
+    assert line["first"]["body"] == "vessel"
 
 
 def test_both_ends_on_one_body_get_a_body_beside_it(deck) -> None:

@@ -216,6 +216,34 @@ def test_a_regular_wave_has_a_warning_and_wrong_variances_are_refused(tmp_path: 
             simulation.column_response([0.0], [1.0], sea={"waves": waves, "variances_m2": variances})
 
 
+def cut_slider(is_cut: bool) -> dict[str, Any]:
+    """The slider with its line in two sections, or in two lines that are fastened to each other there."""
+    given = copy.deepcopy(SLIDER)
+    line = given["forces"]["line"]["line"]
+    half = line["sections"][0] | {"unstretched_length_m": LENGTH / 2}
+    line["sections"] = [half] if is_cut else [half, half]
+    if is_cut:
+        lower = {"first": line.pop("second"), "second_on": {"line": "line", "section": 0}, "sections": [half]}
+        line["second_free"] = True
+        given["forces"]["lower"] = {"line": lower}
+    return given
+
+
+def test_lines_fastened_to_each_other_respond_as_one_line(tmp_path: Path) -> None:
+    """Source: the whole line, with the same nodes: a straight one has the same tangents at the joint."""
+    found = []
+    for is_cut in (False, True):
+        path = tmp_path / f"{is_cut}.yaml"
+        path.write_text(json.dumps(cut_slider(is_cut)))
+        simulation = kingpost.Simulation(kingpost.load(path))
+        response_of = kingpost.spectral_response(simulation, [SLIDE])
+        found.append(float(response_of.standard_deviation[0]))
+        names = "line, lower" if is_cut else "line"
+        assert response_of.attrs["drag"] == f"{spectral.STOCHASTIC}: {names}"
+    # The iteration for the variances of the velocities ends within 1e-4 of them.
+    assert found[1] == pytest.approx(found[0], rel=1e-4)
+
+
 def test_other_linear_responses_say_that_they_leave_the_drag_out(tmp_path: Path) -> None:
     found = kingpost.wave_response(slider(tmp_path), [SLIDE], [0.0], [1.0])
     assert "line: the response has this line at rest between its ends" in found.attrs["warning"]

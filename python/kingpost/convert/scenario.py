@@ -13,6 +13,8 @@ from .joining import Joined, attached, joined
 DURATION_S, RECORD_EVERY_S = 100.0, 0.1
 JUNCTION_SHARE = 0.1
 """Mass of the body of a free point without mass, over half the mass of the segments that meet there."""
+FIXED = "fixed_points"
+PLACEHOLDER = {"mass_kg": loads.PLACEHOLDER_KG, "shape": {"point": {}}, "joint": {"fixed": {}}}
 NO_TYPE = "no line has this type"
 
 
@@ -94,6 +96,7 @@ class _Builder:
         self.bodies: dict[str, Any] = {}
         self.forces: dict[str, Any] = {"gravity": {"gravity": {"acceleration_m_s2": deck.water.gravity_m_s2}}}
         self.carriers: dict[str, str] = {}
+        self.names: dict[int, str] = {}
         self.is_stiff = False
 
     def fields(self, title: str) -> dict[str, Any]:
@@ -106,7 +109,15 @@ class _Builder:
             self._note_stiffness(one)
         self._points()
         for line in self.lines:
-            self.forces[self._name(line.name, self.forces, "line")] = {"line": self._line(line)}
+            self.names[id(line)] = self._name(line.name, self.forces, "line")
+            self.forces[self.names[id(line)]] = {}
+        for line in self.lines:
+            self.forces[self.names[id(line)]]["line"] = self._line(line)
+        if not self.bodies:
+            self.bodies[FIXED] = PLACEHOLDER
+            deck.notes.convert(
+                None, FIXED, f"a body of {loads.PLACEHOLDER_KG:g} kg, because a scenario has one"
+            )
         sea: dict[str, Any] = {"density_kg_m3": deck.water.density_kg_m3}
         if deck.water.depth_m:
             sea["depth_m"] = deck.water.depth_m
@@ -132,8 +143,8 @@ class _Builder:
         return point.position_m if body is None else loads.rotated(body, point.position_m)
 
     def _points(self) -> None:
-        """Bodies of free points; those that join two lines need none."""
-        ends = {end for line in self.lines for end in line.ends}
+        """Bodies of free points; those that join lines need none."""
+        ends = {end for line in self.lines for end in line.ends[: 1 if line.on or line.is_free else 2]}
         for name, point in self.deck.points.items():
             if name not in self.at:
                 if not name.startswith("rod_"):
@@ -183,12 +194,20 @@ class _Builder:
         return rate * step * (step + damping) > 1
 
     def _line(self, line: Joined) -> dict[str, Any]:
-        first, second = (self._pin(end) for end in line.ends)
-        if first["body"] == second["body"]:
-            second["body"] = self._beside(second["body"], line)
-        fields: dict[str, Any] = {"first": first, "second": second}
+        fields: dict[str, Any] = {"first": self._pin(line.ends[0])}
+        joints = line.joints
+        if line.is_free:
+            fields["second_free"] = True
+            joints = [*joints, line.ends[1]]
+        elif line.on:
+            carrier, at = line.on
+            fields["second_on"] = {"line": self.names[id(carrier)], "section": at}
+        else:
+            fields["second"] = self._pin(line.ends[1])
+            if fields["first"]["body"] == fields["second"]["body"]:
+                fields["second"]["body"] = self._beside(fields["second"]["body"], line)
         fields["sections"] = [section(part, self.deck) for part in line.parts]
-        for before, joint in zip(fields["sections"], line.joints, strict=False):
+        for before, joint in zip(fields["sections"], joints, strict=False):
             before.update(loads.clump_weight(self.deck.points[joint]))
         water = self.deck.water
         if water.depth_m and water.stiffness_n_per_m3:
@@ -206,9 +225,8 @@ class _Builder:
 
     def _beside(self, body: str, line: Joined) -> str:
         """A further body on the same carrier: the ends of a line are on two bodies."""
-        name = "fixed_points" if body == WORLD else f"{body}_points"
-        fields = {"mass_kg": loads.PLACEHOLDER_KG, "shape": {"point": {}}, "joint": {"fixed": {}}}
-        self.bodies.setdefault(name, fields if body == WORLD else {"parent": body, **fields})
+        name = FIXED if body == WORLD else f"{body}_points"
+        self.bodies.setdefault(name, PLACEHOLDER if body == WORLD else {"parent": body, **PLACEHOLDER})
         why = f"its second end is on {name}, a body of 1 kg fixed to {body}, because both ends are on {body}"
         self.deck.notes.convert(line.parts[-1].line, line.name, why)
         return name

@@ -67,14 +67,18 @@ def _inlined(entries: Mapping[str, Any]) -> dict[str, Any]:
     found: dict[str, Any] = {}
     for name, fields in entries.items():
         if "line" in fields:
-            line = {key: _Inline(value) if isinstance(value, dict) else [_Inline(part) for part in value]
-                    for key, value in fields["line"].items()}  # fmt: skip
-            found[name] = {"line": line}
+            parts = {"sections": [_Inline(part) for part in fields["line"]["sections"]]}
+            found[name] = {"line": _in_lines(fields["line"]) | parts}
         elif "joint" in fields:
-            found[name] = {k: _Inline(v) if isinstance(v, dict) else v for k, v in fields.items()}
+            found[name] = _in_lines(fields)
         else:
             found[name] = _Inline(fields)
     return found
+
+
+def _in_lines(fields: Mapping[str, Any]) -> dict[str, Any]:
+    """Fields on a line each."""
+    return {key: _Inline(value) if isinstance(value, dict) else value for key, value in fields.items()}
 
 
 def _comments(source: str, notes: Notes) -> Iterator[str]:

@@ -693,7 +693,7 @@ export interface PlacesAlong {
  */
 export interface DrawnLine {
   /**
-   * Name of its element.
+   * Name of its element, or of a line of several in one element.
    */
   name: string;
   /**

@@ -5317,6 +5317,11 @@ export interface DynamicLine {
    */
   second_free?: boolean;
   /**
+   * Where on another line the second end is fastened, instead of `second`: the line is a branch of that one, as a leg of a
+   * bridle is. Several lines may be fastened to the same place, and branches to branches.
+   */
+  second_on?: SectionEnd | null;
+  /**
    * Direction in which it leaves the first end, in the axes of that body: the end is clamped, with bending stiffness in the
    * first section. Without it, the line turns freely there.
    *
@@ -5367,6 +5372,20 @@ export interface Pin3 {
    * @maxItems 3
    */
   position_m?: [number, number, number];
+}
+/**
+ * The end of a section of another line, towards the second end of that one. Lines that meet there turn freely about it, and its
+ * clump weight is that of the section.
+ */
+export interface SectionEnd {
+  /**
+   * The other line, one with mass.
+   */
+  line: string;
+  /**
+   * The section, counted from 0: not the last one, unless that line ends free.
+   */
+  section: number;
 }
 /**
  * A point on a rope's path.

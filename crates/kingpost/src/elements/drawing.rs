@@ -7,7 +7,7 @@ use serde::Serialize;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct DrawnLine {
-    /// Name of its element.
+    /// Name of its element, or of a line of several in one element.
     pub name: String,
     /// Its appearance.
     pub style: LineStyle,

@@ -31,9 +31,11 @@ bodies: {point: {mass_kg: 1, shape: {point: {}}, joint: {fixed: {}}}}
 fn run([from, to]: [[f64; 3]; 2], parts: &[LinePart], ground: Option<LineGround>, points: usize) -> Simulation {
     let mut setup = read(ALONE, "line.yaml", &[]).expect("it reads").setup().expect("it builds");
     let ends = [from, to].map(|point| setup.model.attachment(None, Frame::translation(Vector3(point))));
-    let mut line = DynamicLine::new("chain", ends, parts);
-    (line.ground, line.points_along) = (ground, points);
-    setup.elements.push(Box::new(line));
+    let line = DynamicLine::new("chain", ends, parts).with_points_along(points);
+    setup.elements.push(Box::new(match ground {
+        Some(ground) => line.on(ground),
+        None => line,
+    }));
     Simulation::new(setup)
 }
 

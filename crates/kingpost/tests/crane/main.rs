@@ -20,6 +20,8 @@ mod line_along;
 mod line_bending;
 mod line_dynamics;
 mod line_free_end;
+mod line_joined;
+mod line_joined_mistakes;
 mod line_slope;
 mod line_statics;
 mod line_steps;

@@ -37,7 +37,7 @@ pub struct ColumnResponse {
     pub amplitudes: Vec<[f64; 2]>,
     /// Natural frequencies that waves can excite, the lowest first.
     pub resonances: Vec<Resonance>,
-    /// Names of the elements whose drag is linearised for the sea.
+    /// Names of the lines whose drag is linearised for the sea.
     pub linearised: Vec<String>,
     /// Warnings.
     pub warnings: Vec<String>,
@@ -160,9 +160,11 @@ fn warnings(at: &AtRest, elements: &[AnyElement], rows: &Rows) -> Vec<String> {
     all
 }
 
-/// Returns the names of the elements whose drag is linearised for a random sea.
+/// Returns the names of the lines whose drag is linearised for a random sea.
 fn linearised(at: &AtRest, elements: &[AnyElement]) -> Vec<String> {
-    elements.iter().filter(|element| is_linearised(at, element)).map(|element| element.name().to_owned()).collect()
+    let lines =
+        elements.iter().filter(|element| is_linearised(at, element)).flat_map(|element| element.declare().lines);
+    lines.map(|line| line.name).collect()
 }
 
 /// Whether the drag of an element is linearised for a random sea.

@@ -1,25 +1,31 @@
 //! A line in the stages of an explicit scheme.
 
 use super::step::{Booked, CONVERGED, MOST_ITERATIONS};
+use super::strand::shortest;
 use super::supply::Supplied;
-use super::{DynamicLine, ENERGIES};
+use super::{DynamicLine, ENERGIES, ends_by_rule};
 use crate::elements::{Advancing, Context, NotAdvanced};
 use crate::scalar::Scalar;
 
 impl<S: Scalar> DynamicLine<S> {
-    /// Computes the forces on the nodes at the ends at a stage, to which the line was advanced; the water is that of the
+    /// Computes the forces on the nodes at the ends on bodies at a stage, to which the lines were advanced; the water is that of the
     /// middle of the step.
     ///
     /// The rate of strain is that of the implicit rule at the ends too: the first positions of an explicit step are those of
     /// Euler's method, and the nodes between the ends follow them.
     pub(super) fn evaluate_ends(&mut self, at: &Context<'_, S>) -> Option<Supplied<S>> {
         let supplied = self.put_nodes(at, at.states);
-        let by_rule = self.end_nodes().map(|node| self.step.has_advanced().then(|| self.step.velocity(node)));
-        self.nodes.stretch_ends(&self.mesh, by_rule);
+        for (k, strand) in self.strands.iter_mut().enumerate() {
+            let nodes = [0, strand.last()];
+            let by_rule = nodes.map(|node| self.step.has_advanced().then(|| self.step.velocity(k, node)));
+            strand.nodes.stretch_ends(&strand.mesh, by_rule);
+        }
         self.book_ends(supplied.is_some(), at);
-        for node in self.held_nodes() {
-            let water = self.step.water_at(node, at.clock.time_s);
-            self.nodes.load_end(node, &self.mesh, self.ground.as_ref(), water, at);
+        for (k, strand) in self.strands.iter_mut().enumerate() {
+            for (node, _) in [0, strand.last()].into_iter().zip(strand.ends).filter(|(_, end)| end.is_some()) {
+                let water = self.step.water_at(k, node, at.clock.time_s);
+                strand.nodes.load_end(node, &strand.mesh, strand.ground.as_ref(), water, at);
+            }
         }
         supplied
     }
@@ -28,23 +34,28 @@ impl<S: Scalar> DynamicLine<S> {
 impl<S: Scalar> Advancing<S> for DynamicLine<S> {
     fn begin_step(&mut self, at: &Context<'_, S>, states: &[S]) {
         let rate = self.put_nodes(at, states).map_or(S::ZERO, |supplied| supplied.rate);
-        self.at_base = [states[self.motions()], states[self.motions() + 1]];
-        self.step.begin(&self.nodes, &mut self.mesh, (self.ground.as_ref(), rate), at);
+        let energies = self.motions();
+        self.at_base = [states[energies], states[energies + 1]];
+        self.step.begin(&mut self.strands, rate, at);
     }
 
     fn advance(&mut self, at: &Context<'_, S>, states: &mut [S]) -> Result<(), NotAdvanced> {
         self.supply(at);
-        let ends = self.ends_now(at);
-        self.step.advance(&self.mesh, self.ground.as_ref(), &ends, at.clock.time_s).map_err(|move_m| NotAdvanced {
+        let ends = self.strands.iter().map(|strand| strand.ends_now(at));
+        self.step.advance(&self.strands, ends, at.clock.time_s).map_err(|move_m| NotAdvanced {
             move_m,
-            allowed_m: CONVERGED * self.mesh.shortest().value(),
+            allowed_m: CONVERGED * shortest(&self.strands).value(),
             iterations: MOST_ITERATIONS,
         })?;
-        let motions = self.motions();
-        let (positions, velocities) = states[..motions].split_at_mut(motions / 2);
-        for (k, (x, v)) in positions.chunks_exact_mut(3).zip(velocities.chunks_exact_mut(3)).enumerate() {
-            self.step.position(k + 1).write_to(x);
-            self.step.velocity(k + 1).write_to(v);
+        let mut rest = states;
+        for (strand, of) in self.strands.iter().enumerate() {
+            let (motions, others) = rest.split_at_mut(of.motions());
+            let (positions, velocities) = motions.split_at_mut(motions.len() / 2);
+            for (k, (x, v)) in positions.chunks_exact_mut(3).zip(velocities.chunks_exact_mut(3)).enumerate() {
+                self.step.position(strand, k + 1).write_to(x);
+                self.step.velocity(strand, k + 1).write_to(v);
+            }
+            rest = others;
         }
         Ok(())
     }
@@ -53,16 +64,17 @@ impl<S: Scalar> Advancing<S> for DynamicLine<S> {
     /// beside them. Returns heat and work of the water, J. The heat contains the energy that the scheme loses: the ends get the
     /// work of the tension by the scheme of the bodies, the line gives it by its implicit rule.
     fn end_step(&mut self, at: &Context<'_, S>, states: &mut [S]) -> [S; 2] {
-        let gravity = at.world.gravity;
-        let Booked { dissipated, outside, on_ends } = self.step.booked(&self.mesh, self.ground.as_ref(), gravity);
+        let Booked { dissipated, outside, on_ends } = self.step.booked(&self.strands, at.world.gravity);
         let [worked, lost] = self.at_base;
         let motions = self.motions();
         let lost_now = on_ends - (states[motions] - worked);
         states[motions + 1] = lost + lost_now;
         self.put_nodes(at, states);
-        for (k, node) in self.end_nodes().into_iter().enumerate() {
-            let lag = self.step.velocity(node) - self.nodes.node(node).velocity;
-            lag.write_to(&mut states[motions + ENERGIES + 3 * k..motions + ENERGIES + 3 * k + 3]);
+        let mut by_rule = states[motions + ENERGIES..].chunks_exact_mut(3);
+        for (strand, of) in self.strands.iter().enumerate() {
+            for (node, lag) in [0, of.last()].into_iter().take(ends_by_rule(strand)).zip(&mut by_rule) {
+                (self.step.velocity(strand, node) - of.nodes.node(node).velocity).write_to(lag);
+            }
         }
         [dissipated + lost_now, outside]
     }

@@ -4,7 +4,7 @@
 use super::ground::LineGround;
 use super::mesh::LineMesh;
 use super::nodes::Nodes;
-use super::strain::GAUSS;
+use super::strain::{BEYOND_GAUSS, GAUSS};
 use crate::elements::{Output, PlacesAlong};
 use crate::scalar::Scalar;
 
@@ -112,7 +112,7 @@ impl<S: Scalar> Nodes<S> {
         if 2 * element == self.len() - 1 {
             return ends[1];
         }
-        let beyond = S::constant(0.5 * (1.0 / GAUSS - 1.0));
+        let beyond = S::constant(BEYOND_GAUSS);
         let ([second, last], [first, next]) = (self.at_gauss(element - 1), self.at_gauss(element));
         let mean = (last + first + (last - second + first - next) * beyond) * S::constant(0.5);
         mesh.elements[element].section.possible(mean)

@@ -1,6 +1,7 @@
 //! Linear equations of the nodes of a line: blocks of 3x3, two on each side of the diagonal. The cost is linear in the number
 //! of nodes.
 
+use super::mesh::LineMesh;
 use crate::scalar::Scalar;
 use crate::spatial::{Matrix3, Vector3};
 use core::ops::Range;
@@ -22,14 +23,16 @@ pub struct Blocks<S> {
     right: Vec<Vector3<S>>,
     /// The nodes that move.
     moving: Range<usize>,
+    /// Those that are eliminated: all but the last node of a line that is fastened to another one.
+    eliminated: Range<usize>,
     /// Whether nodes in the middle of neighbouring elements act on each other, by bending.
     bends: bool,
 }
 
 impl<S: Scalar> Blocks<S> {
-    /// Allocates the memory for this odd number of nodes, of which every second one is in the middle of an element; the moving
-    /// ones follow the first one.
-    pub fn new(nodes: usize, moving: Range<usize>, bends: bool) -> Self {
+    /// Allocates the memory for the nodes of a mesh, of which every second one is in the middle of an element.
+    pub fn new(mesh: &LineMesh<S>) -> Self {
+        let nodes = mesh.nodes.len();
         let (zero, pairs) = (Matrix3::zero(), vec![[Matrix3::zero(); 2]; nodes]);
         Self {
             diagonal: vec![zero; nodes],
@@ -37,8 +40,9 @@ impl<S: Scalar> Blocks<S> {
             below: pairs,
             turns: Vec::new(),
             right: vec![Vector3::zero(); nodes],
-            moving,
-            bends,
+            moving: mesh.moving(),
+            eliminated: mesh.with_states(),
+            bends: !mesh.bends.is_empty(),
         }
     }
 
@@ -100,20 +104,41 @@ impl<S: Scalar> Blocks<S> {
             self.above[node][0] += *turn;
             self.below[node - 1][0] -= *turn;
         }
-        self.moving.clone().for_each(|node| self.eliminate(node));
+        self.eliminated.clone().for_each(|node| self.eliminate(node));
     }
 
-    /// Solves for x, which is zero at nodes that do not move, with A factored; entries are not finite if A is singular. Overwrites b.
-    pub fn solve(&mut self, x: &mut [Vector3<S>]) {
-        for node in self.moving.clone() {
+    /// Takes the factors of other equations in all lanes but the open ones, which have 1, not 0.
+    pub fn keep(&mut self, kept: &Self, open: S) {
+        let keep = |one: &mut Matrix3<S>, kept: &Matrix3<S>| {
+            *one = Matrix3::from_fn(|i, j| open.select_below(0.5, || kept.0[i][j], || one.0[i][j]));
+        };
+        self.diagonal.iter_mut().zip(&kept.diagonal).for_each(|(one, kept)| keep(one, kept));
+        let pairs = self.above.iter_mut().chain(&mut self.below).zip(kept.above.iter().chain(&kept.below));
+        pairs.flat_map(|(one, kept)| one.iter_mut().zip(kept)).for_each(|(one, kept)| keep(one, kept));
+    }
+
+    /// Returns what elimination leaves at the last node of a line that is fastened to another one: of A, and of b.
+    pub fn condensed(&self) -> (Matrix3<S>, Vector3<S>) {
+        let last = self.right.len() - 1;
+        (self.diagonal[last], self.right[last])
+    }
+
+    /// Eliminates the nodes from b, with A factored.
+    pub fn eliminate_right(&mut self) {
+        for node in self.eliminated.clone() {
             let right = self.right[node];
             for behind in 1..=self.reach(node) {
                 self.right[node + behind] -= self.below[node][behind - 1] * right;
             }
         }
+    }
+
+    /// Solves for x, with A factored and the nodes eliminated from b; entries are not finite if A is singular. It is zero at nodes
+    /// that do not move, and this at the last one of a line that is fastened to another one.
+    pub fn substitute(&self, at_joint: Vector3<S>, x: &mut [Vector3<S>]) {
         x[0] = Vector3::zero();
-        x[self.moving.end..].fill(Vector3::zero());
-        for node in self.moving.clone().rev() {
+        x[self.eliminated.end..].fill(at_joint);
+        for node in self.eliminated.clone().rev() {
             let mut right = self.right[node];
             for behind in 1..=self.reach(node) {
                 right -= self.above[node][behind - 1] * x[node + behind];
@@ -158,51 +183,5 @@ impl<S: Scalar> Blocks<S> {
             }
         }
         self.diagonal[node] = inverse;
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Multiplies A by x as it was given, at the nodes between the ends.
-    fn times(a: &Blocks<f64>, x: &[Vector3]) -> Vec<Vector3> {
-        let mut product: Vec<Vector3> = a.diagonal.iter().zip(x).map(|(block, x)| *block * *x).collect();
-        for (node, blocks) in a.above.iter().enumerate() {
-            for (behind, block) in blocks.iter().enumerate().filter(|(behind, _)| node + 1 + behind < x.len()) {
-                let other = node + 1 + behind;
-                product[node] += *block * x[other];
-                product[other] += *block * x[node];
-            }
-        }
-        product
-    }
-
-    #[test]
-    fn the_solution_fulfils_the_equations() {
-        let all = |elements| [(elements, false, 1), (elements, true, 1), (elements, false, 0), (elements, true, 0)];
-        for (elements, bends, held) in [1, 2, 3, 7].into_iter().flat_map(all) {
-            let count = 2 * elements + 1;
-            let mut a = Blocks::new(count, 1..count - held, bends);
-            let number = |k: usize| libm::sin(1.0 + 3.7 * k as f64);
-            let firsts = if bends { 1 } else { 2 };
-            for first in (0..count - 2).step_by(firsts) {
-                for point in 0..2 {
-                    let k = 20 * first + 10 * point;
-                    let b = Matrix3::from_fn(|i, j| number(k + 3 * i + j)) + Matrix3::identity().scaled(4.0);
-                    let weights = [number(k) - 2.0, number(k + 1), 2.0 + number(k + 2)];
-                    a.add_at::<true>(first, &weights, &b, Vector3::new(1.0, number(k), 0.3));
-                }
-            }
-            (0..count).for_each(|node| a.add::<true>(node, Matrix3::identity().scaled(20.0), Vector3::zero()));
-            let mut x = vec![Vector3::zero(); count];
-            let given = a.clone();
-            a.factor();
-            a.solve(&mut x);
-            for (node, product) in times(&given, &x).iter().enumerate().take(count - held).skip(1) {
-                // A few units in the last place of the largest products, about 100.
-                assert!((*product - given.right[node]).norm() < 1e-12, "{elements} {bends} {held} {node}");
-            }
-        }
     }
 }

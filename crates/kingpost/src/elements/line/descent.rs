@@ -1,10 +1,10 @@
-//! Newton's method for the nodes of a line, with a line search.
+//! Newton's method for the nodes of a tree of lines, with a line search.
 //!
 //! A line that only pulls, on a ground that only pushes, has a convex energy, so that its forces fall along every move: a move
 //! after which they push back with more than half of the force that began it has overshot a kink, and is halved. Drag has no
 //! energy: a move against the forces, which it can cause, is not judged.
 
-use super::blocks::Blocks;
+use super::equations::LineEquations;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
@@ -29,7 +29,7 @@ pub struct Descent<S> {
 }
 
 impl<S: Scalar> Descent<S> {
-    /// Allocates the memory for this number of nodes.
+    /// Allocates the memory for this number of nodes of all lines.
     pub fn new(count: usize) -> Self {
         let zero = vec![Vector3::zero(); count];
         let (newton, way, forces) = (zero.clone(), zero.clone(), zero);
@@ -53,24 +53,34 @@ impl<S: Scalar> Descent<S> {
         self.goes_on
     }
 
-    /// Moves the nodes by the linear effect of moves of the ends, which the equations have the matrix for.
-    pub fn follow(&mut self, blocks: &mut Blocks<S>, ends: [Vector3<S>; 2], nodes: &mut [Vector3<S>]) {
-        blocks.move_ends(ends);
-        blocks.solve(&mut self.newton);
-        nodes.iter_mut().zip(&self.newton).for_each(|(node, move_m)| *node += *move_m);
+    /// Moves the nodes of all lines by the linear effect of moves of their ends, which the equations have the matrix for.
+    pub fn follow<'a>(
+        &mut self,
+        equations: &mut LineEquations<S>,
+        ends: &[[Vector3<S>; 2]],
+        nodes: impl Iterator<Item = &'a mut Vec<Vector3<S>>>,
+    ) where
+        S: 'a,
+    {
+        equations.strands.iter_mut().zip(ends).for_each(|(blocks, ends)| blocks.move_ends(*ends));
+        equations.solve(&mut self.newton);
+        nodes.flatten().zip(&self.newton).for_each(|(node, move_m)| *node += *move_m);
     }
 
-    /// Moves the nodes, whose equations are given, by at most `longest` (m). Ends the search of each lane whose Newton move is
+    /// Moves the nodes of all lines, whose equations are given, by at most `longest` (m). Ends the search of each lane whose Newton move is
     /// shorter than `enough` (m), if it may arrive: 1, or 0.
-    pub fn improve(
+    pub fn improve<'a>(
         &mut self,
-        blocks: &mut Blocks<S>,
-        nodes: &mut [Vector3<S>],
+        equations: &mut LineEquations<S>,
+        nodes: impl Iterator<Item = &'a mut Vec<Vector3<S>>>,
         [enough, longest]: [S; 2],
         may_arrive: S,
-    ) {
-        self.forces.copy_from_slice(blocks.right());
-        blocks.solve(&mut self.newton);
+    ) where
+        S: 'a,
+    {
+        self.forces.clear();
+        equations.strands.iter().for_each(|blocks| self.forces.extend_from_slice(blocks.right()));
+        equations.solve(&mut self.newton);
         let half = S::constant(0.5);
         let work = |forces: &[Vector3<S>], way: &[Vector3<S>]| {
             forces.iter().zip(way).fold(S::ZERO, |sum, (force, way)| sum + force.dot(*way))
@@ -88,12 +98,17 @@ impl<S: Scalar> Descent<S> {
         let share = self.size.select_less(longest, || S::ONE, || longest / self.size);
         let of_newton = work(&self.forces, &self.newton) * share;
         self.gain = back.select_below(0.5, || of_newton, || self.gain * half);
-        for ((node, way), newton) in nodes.iter_mut().zip(&mut self.way).zip(&self.newton) {
-            for k in 0..3 {
-                let (halved, whole) = (way[k] * half, newton[k] * share);
-                let moved = node[k] + back.select_below(0.5, || whole, || -halved);
-                node[k] = self.goes_on.select_below(0.5, || node[k], || moved);
-                way[k] = back.select_below(0.5, || whole, || halved);
+        let mut first = 0;
+        for nodes in nodes {
+            let these = first..first + nodes.len();
+            first = these.end;
+            for ((node, way), newton) in nodes.iter_mut().zip(&mut self.way[these.clone()]).zip(&self.newton[these]) {
+                for k in 0..3 {
+                    let (halved, whole) = (way[k] * half, newton[k] * share);
+                    let moved = node[k] + back.select_below(0.5, || whole, || -halved);
+                    node[k] = self.goes_on.select_below(0.5, || node[k], || moved);
+                    way[k] = back.select_below(0.5, || whole, || halved);
+                }
             }
         }
         let arrives = self.size.select_less(enough, || may_arrive, || S::ZERO);
@@ -101,9 +116,15 @@ impl<S: Scalar> Descent<S> {
     }
 
     /// Completes the derivatives of nodes that have arrived, whose equations are given: their values stay.
-    pub fn differentiate(&mut self, blocks: &mut Blocks<S>, nodes: &mut [Vector3<S>]) {
-        blocks.solve(&mut self.newton);
-        for (node, newton) in nodes.iter_mut().zip(&self.newton) {
+    pub fn differentiate<'a>(
+        &mut self,
+        equations: &mut LineEquations<S>,
+        nodes: impl Iterator<Item = &'a mut Vec<Vector3<S>>>,
+    ) where
+        S: 'a,
+    {
+        equations.solve(&mut self.newton);
+        for (node, newton) in nodes.flatten().zip(&self.newton) {
             *node += Vector3(newton.0.map(|move_m| move_m - move_m.plain()));
         }
     }

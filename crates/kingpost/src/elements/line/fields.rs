@@ -3,7 +3,7 @@
 use kingpost_derive::fields;
 
 use crate::scenario::leaf::Leaf;
-use crate::scenario::schema::{Direction, NonNegative, Pin, Positive, RopeStation, yes};
+use crate::scenario::schema::{Direction, Name, NonNegative, Pin, Positive, RopeStation, yes};
 
 /// A wire or chain with mass between two points on bodies or in the world: a mooring line, a hoisting wire in deep water.
 /// It has axial stiffness and damping, bending stiffness, weight, buoyancy, added mass and drag in waves and current, and can lie
@@ -25,6 +25,9 @@ pub struct DynamicLine<S = f64> {
     /// seabed or the surface, and beyond down its slope, along the current or along x.
     #[serde(default)]
     pub second_free: bool,
+    /// Where on another line the second end is fastened, instead of `second`: the line is a branch of that one, as a leg of a
+    /// bridle is. Several lines may be fastened to the same place, and branches to branches.
+    pub second_on: Option<SectionEnd>,
     /// Direction in which it leaves the first end, in the axes of that body: the end is clamped, with bending stiffness in the
     /// first section. Without it, the line turns freely there.
     pub first_direction: Option<Direction<S>>,
@@ -44,6 +47,16 @@ pub struct DynamicLine<S = f64> {
     /// ends: 2 to 200, or 0 for none.
     #[serde(default = "points_along")]
     pub points_along: usize,
+}
+
+/// The end of a section of another line, towards the second end of that one. Lines that meet there turn freely about it, and its
+/// clump weight is that of the section.
+#[fields]
+pub struct SectionEnd {
+    /// The other line, one with mass.
+    pub line: Name,
+    /// The section, counted from 0: not the last one, unless that line ends free.
+    pub section: usize,
 }
 
 /// A section of a line, with the same properties along it.

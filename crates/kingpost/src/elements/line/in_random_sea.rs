@@ -50,32 +50,36 @@ impl<S: Scalar> DynamicLine<S> {
     /// Whether a linear response can have its drag: it has some, and begins at rest.
     pub(super) fn has_random_drag(&self) -> bool {
         let has = |drag: S| drag.value() > 0.0;
-        let sections = self.mesh.elements.iter().flat_map(|element| element.section.drag);
-        let clumps = self.mesh.nodes.iter().filter_map(|node| Some(node.clump?.drag_area));
+        let meshes = || self.strands.iter().map(|strand| &strand.mesh);
+        let sections = meshes().flat_map(|mesh| &mesh.elements).flat_map(|element| element.section.drag);
+        let clumps = meshes().flat_map(|mesh| &mesh.nodes).filter_map(|node| Some(node.clump?.drag_area));
         self.start.is_none() && sections.chain(clumps).any(has)
     }
 }
 
 impl<S: Scalar> RandomDrag<S> for DynamicLine<S> {
     fn nodes(&self) -> usize {
-        self.mesh.nodes.len()
+        self.strands.iter().map(|strand| strand.mesh.nodes.len()).sum()
     }
 
     fn set_spread(&mut self, spread: &[Symmetric3]) {
         let water = WaterMotion::from_components([S::ZERO; WATER_COMPONENTS]);
-        for (node, spread) in self.mesh.nodes.iter_mut().zip(spread) {
+        let nodes = self.strands.iter_mut().flat_map(|strand| &mut strand.mesh.nodes);
+        for (node, spread) in nodes.zip(spread) {
             node.random = Some(RandomWater { spread: *spread, water });
         }
     }
 
     fn set_water(&mut self, node: usize, water: WaterMotion<S>) {
-        if let Some(random) = &mut self.mesh.nodes[node].random {
+        let (strand, node) = self.among_all(node);
+        if let Some(random) = &mut self.strands[strand].mesh.nodes[node].random {
             random.water = water;
         }
     }
 
     fn motion(&self, node: usize) -> [Vector3<S>; 2] {
-        let found = self.nodes.node(node);
+        let (strand, node) = self.among_all(node);
+        let found = self.strands[strand].nodes.node(node);
         [found.position, found.velocity]
     }
 }

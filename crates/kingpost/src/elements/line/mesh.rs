@@ -63,6 +63,17 @@ impl<S: Scalar> LineMeshNode<S> {
     }
 }
 
+/// Hold of the second end of a line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SecondEnd {
+    /// A body or the world.
+    Held,
+    /// Nothing.
+    Free,
+    /// A node of another line.
+    Joined,
+}
+
 /// The elements and nodes of a line, from its first end.
 #[derive(Clone, Debug)]
 pub struct LineMesh<S> {
@@ -72,8 +83,10 @@ pub struct LineMesh<S> {
     pub nodes: Vec<LineMeshNode<S>>,
     /// Its bends, if it has bending stiffness.
     pub bends: Vec<Bend<S>>,
-    /// Whether the second end is free.
-    pub free_end: bool,
+    /// Hold of the second end.
+    pub second: SecondEnd,
+    /// Nodes to which other lines are fastened.
+    pub joints: Vec<usize>,
     /// Length of the line, m.
     pub length: S,
     /// Number of elements of the first part, whose length changes as it is paid out; 0 if none does.
@@ -111,7 +124,8 @@ impl<S: Scalar> LineMesh<S> {
             elements,
             nodes,
             bends: Vec::new(),
-            free_end: false,
+            second: SecondEnd::Held,
+            joints: Vec::new(),
             length: first + others,
             supplied: 0,
             first,
@@ -121,14 +135,29 @@ impl<S: Scalar> LineMesh<S> {
         mesh.clamped([false; 2])
     }
 
-    /// Lets the last node move freely.
-    pub fn ending_free(self) -> Self {
-        Self { free_end: true, ..self }
+    /// Lets this hold the second end.
+    pub fn held_by(self, second: SecondEnd) -> Self {
+        Self { second, ..self }
     }
 
-    /// Returns the nodes that move by themselves: those that are not at an end on a body or in the world.
+    /// Returns the nodes that are not at an end on a body or in the world.
     pub fn moving(&self) -> Range<usize> {
-        1..self.nodes.len() - usize::from(!self.free_end)
+        1..self.nodes.len() - usize::from(self.second == SecondEnd::Held)
+    }
+
+    /// Returns the nodes that move by themselves: not the last one if it moves with a node of another line.
+    pub fn with_states(&self) -> Range<usize> {
+        1..self.nodes.len() - usize::from(self.second != SecondEnd::Free)
+    }
+
+    /// Whether other lines act on a node.
+    pub fn is_joint(&self, node: usize) -> bool {
+        (self.second == SecondEnd::Joined && node + 1 == self.nodes.len()) || self.joints.contains(&node)
+    }
+
+    /// Whether nothing holds the second end, no other line either.
+    pub fn hangs_free(&self) -> bool {
+        self.second == SecondEnd::Free && !self.joints.contains(&(self.nodes.len() - 1))
     }
 
     /// Clamps some of its ends, if it has bending stiffness.

@@ -11,12 +11,15 @@ mod along;
 pub(crate) mod assembly;
 mod bend;
 mod blocks;
+mod building;
 mod descent;
-mod ends;
+mod equations;
 mod feed;
 pub(crate) mod fields;
+mod first_shape;
 mod ground;
 mod in_random_sea;
+mod joints;
 mod mesh;
 mod nodes;
 mod one_sided;
@@ -27,67 +30,56 @@ mod span;
 mod statics;
 mod step;
 mod strain;
+mod strand;
 mod supply;
 
 pub use ground::LineGround;
 pub use mesh::LinePart;
 pub use section::{ClumpWeight, LineSection};
+pub use strand::RestingLine;
 pub use supply::LineSupply;
 
-use super::lines::{declaration_of_line, pull_at, shares, velocity};
-use super::ropes::{Drum, RopePath, Station};
+use super::lines::{declaration_of_line, pull_at, shares};
+use super::ropes::{Drum, RopePath};
 use super::{
-    Advancing, AnyWatcher, Context, Crossing, Declaration, DrawnSeabed, Element, ElementState, EvaluationMode, Event,
-    Output, RandomDrag, StateDeclaration, Support,
+    Advancing, AnyWatcher, Context, Crossing, Declaration, DrawnLine, DrawnSeabed, Element, ElementState,
+    EvaluationMode, Event, Output, RandomDrag, StateDeclaration, Support,
 };
 use crate::dynamics::Loads;
-use crate::model::Attachment;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 use along::outputs_along;
 use bend::LineEnds;
-use mesh::LineMesh;
-use nodes::Nodes;
 use slack::Slack;
 use statics::LineStatics;
 use step::LineStep;
+use strand::Strand;
 use supply::Supplied;
 
-/// A line with inertia between two points on bodies or in the world, or from one of them to a free end.
+/// Lines with inertia that are fastened to each other: a line between two points on bodies or in the world, or from one of them to
+/// a free end, and its branches, whose second ends are fastened to nodes of it or of each other.
 ///
-/// Its states are positions and velocities of the nodes between its ends, in the world. The nodes at its ends move with
-/// the bodies, which get the forces of the line there, and its mass there as an added inertia.
+/// Its states are positions and velocities of the nodes between the ends, in the world. The nodes at the ends on bodies move with
+/// them, which get the forces of the lines there, and their mass there as an added inertia.
 ///
-/// Forward Euler and Kutta's scheme integrate the bodies only: the line is [advanced](Advancing) to each of their stages by
-/// the implicit midpoint rule (`step.rs`), so that its axial waves do not limit the step. The other schemes integrate its
+/// Forward Euler and Kutta's scheme integrate the bodies only: the lines are [advanced](Advancing) together to each of their stages
+/// by the implicit midpoint rule (`step.rs`), so that their axial waves do not limit the step. The other schemes integrate their
 /// states with their exact rates.
 #[derive(Clone, Debug)]
 pub struct DynamicLine<S = f64> {
-    /// Name in the results.
-    pub name: String,
-    /// Its ends.
-    pub ends: [Attachment<S>; 2],
-    /// Directions from the first end to the second one at clamped ends, in the axes of their bodies.
-    clamps: [Option<Vector3<S>>; 2],
-    /// The ground on which it can lie.
-    pub ground: Option<LineGround<S>>,
-    /// Drum and sheaves from which its first part is paid out.
+    /// Its lines, each behind the one to which it is fastened: the first one has the element's name.
+    strands: Vec<Strand<S>>,
+    /// Drum and sheaves from which the first part of the first line is paid out.
     supply: Option<LineSupply<S>>,
     /// Positions of the nodes between the ends at the start, world, m, if it does not begin at rest.
     pub start: Option<Vec<Vector3<S>>>,
     /// Whether its nodes move by its states about rest: in natural modes and in a linear response to a random sea.
     responds: bool,
-    /// Number of points along it at which the results have its tension: 0, or 2 and more.
-    pub points_along: usize,
-    /// Its elements and nodes.
-    mesh: LineMesh<S>,
-    /// Working memory.
-    nodes: Nodes<S>,
     /// Its shape at rest.
     statics: LineStatics<S>,
     /// The present step.
     step: LineStep<S>,
-    /// Power of its tension on its ends at the last evaluation, W.
+    /// Power of the tensions on the ends at the last evaluation, W.
     on_ends: S,
     /// Its integral and the energy lost to the scheme at the base of the step, J.
     at_base: [S; 2],
@@ -95,6 +87,18 @@ pub struct DynamicLine<S = f64> {
 
 /// Number of states that are energies; behind them are the velocities of the ends by the implicit rule less those of the bodies.
 const ENERGIES: usize = 2;
+
+/// Returns the number of ends of a line for which there are such velocities: a branch has one end on a body.
+fn ends_by_rule(strand: usize) -> usize {
+    if strand == 0 { 2 } else { 1 }
+}
+
+/// Parts of a line, and of several that are fastened to each other, that a response about rest leaves out.
+const LEFT_OUT: &str = "the response has this line at rest between its ends at every instant, and leaves out its inertia, the waves on \
+     it and its drag, which is zero at rest; in a run the drag damps the line, most near its own periods, and the ship on it";
+const LEFT_OUT_OF_ALL: &str = "the response has this line and those that are fastened to it at rest between their ends at every \
+     instant, and leaves out their inertia, the waves on them and their drag, which is zero at rest; in a run the drag damps the \
+     lines, most near their own periods, and the ship on them";
 
 /// Events of a line that is paid out, in the order of [`Supplied`].
 const EVENTS: [Event; 3] = [
@@ -111,74 +115,10 @@ const EVENTS: [Event; 3] = [
     },
 ];
 
-/// The shape of a line at rest.
-#[derive(Clone, Copy, Debug)]
-pub struct RestingLine<S> {
-    /// Positions of its ends, world, m.
-    pub ends: [Vector3<S>; 2],
-    /// Its largest strain.
-    pub strain: S,
-}
-
 impl<S: Scalar> DynamicLine<S> {
-    /// Creates a line of these parts, from its first end, which begins at rest.
-    pub fn new(name: &str, ends: [Attachment<S>; 2], parts: &[LinePart<S>]) -> Self {
-        Self::with_mesh(name, ends, LineMesh::new(parts))
-    }
-
-    fn with_mesh(name: &str, ends: [Attachment<S>; 2], mesh: LineMesh<S>) -> Self {
-        Self {
-            name: name.to_owned(),
-            ends,
-            clamps: [None; 2],
-            ground: None,
-            supply: None,
-            start: None,
-            responds: false,
-            points_along: 0,
-            nodes: Nodes::new(&mesh),
-            statics: LineStatics::new(&mesh),
-            step: LineStep::new(&mesh),
-            mesh,
-            on_ends: S::ZERO,
-            at_base: [S::ZERO; 2],
-        }
-    }
-
-    /// Creates a line of these parts whose second end is free, from its first end; `nowhere` is a place in the world.
-    pub fn ending_free(name: &str, first: Attachment<S>, nowhere: Attachment<S>, parts: &[LinePart<S>]) -> Self {
-        Self::with_mesh(name, [first, nowhere], LineMesh::new(parts).ending_free())
-    }
-
-    /// Gives the line other elements and nodes.
-    fn on_mesh(self, mesh: LineMesh<S>) -> Self {
-        let (nodes, statics, step) = (Nodes::new(&mesh), LineStatics::new(&mesh), LineStep::new(&mesh));
-        Self { nodes, statics, step, mesh, ..self }
-    }
-
-    /// Lets the line begin with its nodes at these positions between the ends, world, m: one less than twice the number of
-    /// elements.
-    pub fn beginning_at(self, start: Vec<Vector3<S>>) -> Self {
-        Self { start: Some(start), ..self }
-    }
-
-    /// Lets the first of these parts be paid out, over the stations of a path: its last two are the ends of the line.
-    pub fn over(name: &str, stations: &[Station<S>], drum: Option<Drum<S>>, parts: &[LinePart<S>]) -> Self {
-        let supply = LineSupply::new(stations, drum, parts[0].unstretched_length);
-        let ends = [2, 1].map(|from_last| stations[stations.len() - from_last].centre);
-        let mesh = LineMesh::new(parts).pays_out(parts[0].elements);
-        Self { supply: Some(supply), ..Self::with_mesh(name, ends, mesh) }
-    }
-
     /// Takes the start of a run as the reference of its drum and path. Returns the path to its last end, if it has one.
     pub fn begin_supply(&mut self, at: &Context<'_, S>) -> Option<&mut RopePath<S>> {
         self.supply.as_mut().map(|supply| supply.begin(at))
-    }
-
-    /// Fastens a clump weight or a buoy to the end of an element, counted from the first end, from 1.
-    pub fn with_clump(mut self, element: usize, clump: ClumpWeight<S>) -> Self {
-        self.mesh.nodes[2 * element].clump = Some(clump);
-        self
     }
 
     /// Returns its path and drum, if it runs over them.
@@ -186,29 +126,26 @@ impl<S: Scalar> DynamicLine<S> {
         self.supply.as_ref().map(|supply| (&supply.whole, supply.drum))
     }
 
-    /// Lets the line lie on a ground.
-    pub fn on(self, ground: LineGround<S>) -> Self {
-        Self { ground: Some(ground), ..self }
-    }
-
     /// Reads the motion of all nodes, and computes the forces on them and the accelerations between the ends. Returns the
     /// supply.
     ///
-    /// At rest, the nodes are where the line rests between its ends, unless the line was given another start or moves
+    /// At rest, the nodes are where the lines rest between their ends, unless the line was given another start or moves
     /// about rest.
     fn evaluate(&mut self, at: &Context<'_, S>) -> Option<Supplied<S>> {
         let supplied = if self.moves_nodes(at.evaluation) { self.put_nodes(at, at.states) } else { self.rest(at) };
-        self.nodes.stretch(&self.mesh, self.by_rule(at));
+        let by_rule = if at.evaluation.runs() { &at.states[self.motions() + ENERGIES..] } else { &[] };
+        let mut by_rule = by_rule.chunks_exact(3).map(Vector3::from_slice);
+        for (k, strand) in self.strands.iter_mut().enumerate() {
+            let mut of_ends = [Vector3::zero(); 2];
+            of_ends.iter_mut().take(ends_by_rule(k)).zip(&mut by_rule).for_each(|(end, by_rule)| *end = by_rule);
+            strand.nodes.stretch(&strand.mesh, of_ends);
+        }
         self.book_ends(supplied.is_some(), at);
-        self.nodes.load(&self.mesh, self.ground.as_ref(), at);
+        for strand in &mut self.strands {
+            strand.nodes.load(&strand.mesh, strand.ground.as_ref(), at);
+        }
+        self.accelerate_joints();
         supplied
-    }
-
-    /// Returns the velocities of the ends by the implicit rule less those of their bodies, m/s: zero at rest.
-    fn by_rule(&self, at: &Context<'_, S>) -> [Vector3<S>; 2] {
-        let from = self.motions() + ENERGIES;
-        let read = |end: usize| Vector3::from_slice(&at.states[from + 3 * end..]);
-        if at.evaluation.runs() { [read(0), read(1)] } else { [Vector3::zero(); 2] }
     }
 
     /// Whether the nodes are where its states say.
@@ -219,32 +156,34 @@ impl<S: Scalar> DynamicLine<S> {
     /// Sets the length of the first part, if it is paid out.
     fn supply(&mut self, at: &Context<'_, S>) -> Option<Supplied<S>> {
         let supplied = self.supply.as_mut().map(|supply| supply.now(at))?;
-        self.mesh.set_first(supplied.length);
+        self.strands[0].mesh.set_first(supplied.length);
         Some(supplied)
     }
 
     /// Computes the power of the tension on the ends and on the supply.
     fn book_ends(&mut self, is_supplied: bool, at: &Context<'_, S>) {
-        self.on_ends = self.nodes.power_on_ends([0, 1].map(|end| velocity(&self.ends[end], at)), self.turning(at));
+        let of = |strand: &Strand<S>| strand.nodes.power_on_ends(strand.end_velocities(at), strand.turning(at));
+        self.on_ends = self.strands.iter().map(of).fold(S::ZERO, |sum, power| sum + power);
         if is_supplied {
-            self.on_ends += self.nodes.draw_supply(&self.mesh, self.ground.as_ref(), at);
+            let Strand { nodes, mesh, ground, .. } = &mut self.strands[0];
+            self.on_ends += nodes.draw_supply(mesh, ground.as_ref(), at);
         }
     }
 
     /// Reads the motion of the ends and of the nodes between them. Returns the supply.
     fn put_nodes(&mut self, at: &Context<'_, S>, states: &[S]) -> Option<Supplied<S>> {
         let supplied = self.supply(at);
-        let LineEnds { places, directions } = self.ends_now(at);
-        self.nodes.directions = directions;
-        for ((end, place), node) in self.ends.iter().zip(places).zip(self.held_nodes()) {
-            self.nodes.put(node, place, velocity(end, at));
-        }
-        let (positions, velocities) = states[..self.motions()].split_at(self.motions() / 2);
-        for (k, (x, v)) in positions.chunks_exact(3).zip(velocities.chunks_exact(3)).enumerate() {
-            self.nodes.put(k + 1, Vector3::from_slice(x), Vector3::from_slice(v));
+        let mut rest = states;
+        for k in 0..self.strands.len() {
+            let strand = &mut self.strands[k];
+            let (motions, others) = rest.split_at(strand.motions());
+            strand.put(&strand.ends_now(at), at, motions);
+            self.follow_joint(k);
+            rest = others;
         }
         if let Some(supplied) = &supplied {
-            self.nodes.pay_out(&self.mesh, supplied.rate);
+            let Strand { nodes, mesh, .. } = &mut self.strands[0];
+            nodes.pay_out(mesh, supplied.rate);
         }
         supplied
     }
@@ -252,136 +191,165 @@ impl<S: Scalar> DynamicLine<S> {
     /// Puts the nodes where they rest between the present ends. Returns the supply.
     fn rest(&mut self, at: &Context<'_, S>) -> Option<Supplied<S>> {
         let supplied = self.supply(at);
-        let ends = self.ends_now(at);
-        let Self { nodes, statics, mesh, ground, .. } = self;
-        nodes.directions = ends.directions;
+        let ends: Vec<LineEnds<S>> = self.strands.iter().map(|strand| strand.ends_now(at)).collect();
         let calm = Context { evaluation: EvaluationMode::AtRest, ..*at };
-        let found = statics.solve(mesh, ground.as_ref(), &ends, &calm);
-        for (node, place) in found.iter().enumerate() {
-            nodes.put(node, *place, Vector3::zero());
+        let found = self.statics.solve(&self.strands, &ends, &calm);
+        for ((strand, ends), places) in self.strands.iter_mut().zip(&ends).zip(found) {
+            strand.nodes.directions = ends.directions;
+            for (node, place) in places.iter().enumerate() {
+                strand.nodes.put(node, *place, Vector3::zero());
+            }
         }
         if supplied.is_some() {
+            let Strand { nodes, mesh, .. } = &mut self.strands[0];
             nodes.pay_out(mesh, S::ZERO);
         }
         supplied
     }
 
-    /// Returns the length without tension, m.
-    pub fn unstretched_length(&self) -> S {
-        self.mesh.length
+    /// Returns the shapes of its lines at rest, for a model at rest.
+    pub fn at_rest(&mut self, at: &Context<'_, S>) -> Vec<RestingLine<S>> {
+        self.rest(at);
+        let fields = if self.supply.is_some() { ["path"; 2] } else { ["first", "second"] };
+        self.strands.iter_mut().map(|strand| strand.resting(fields)).collect()
     }
 
-    /// Returns its shape at rest, for a model at rest; NaN if none was found.
-    pub fn at_rest(&mut self, at: &Context<'_, S>) -> RestingLine<S> {
-        self.rest(at);
-        self.nodes.stretch(&self.mesh, [Vector3::zero(); 2]);
-        let ends = self.end_nodes().map(|node| self.nodes.node(node).position);
-        RestingLine { ends, strain: self.nodes.largest_strain(&self.mesh) }
+    /// Returns the velocities of the ends of a line at the start: both that of its first end if the second one is free.
+    fn first_velocities(&self, strand: usize, supplied: Option<&Supplied<S>>, at: &Context<'_, S>) -> [Vector3<S>; 2] {
+        let line = &self.strands[strand];
+        let [first, last] = line.end_velocities(at);
+        let last = match line.joint {
+            Some(joint) => self.strands[joint.strand].nodes.node(joint.node).velocity,
+            None if line.ends[1].is_none() => first,
+            None => last,
+        };
+        let drawn = supplied.filter(|_| strand == 0).map_or(S::ZERO, |now| now.rate);
+        [first - line.nodes.feed().drift(0) * drawn, last]
+    }
+
+    /// Adds the outputs and the drawn line of one of its lines.
+    fn declare_line(&self, k: usize, declared: &mut Declaration) {
+        let strand = &self.strands[k];
+        let of_line = declaration_of_line(&strand.name);
+        declared.outputs.extend(of_line.outputs);
+        if k == 0 {
+            let lost =
+                "energy that the time stepping of a line took from it and from the lines that are fastened to it";
+            declared.outputs.push(Output::number("line_energy_lost_to_scheme", lost, "line", &strand.name, &["J"]));
+        }
+        let seabed = strand.ground.map(|ground| DrawnSeabed {
+            height_m: -ground.depth.value(),
+            gradient: ground.gradient().map(|slope| slope.value()),
+        });
+        declared.lines.extend(of_line.lines.into_iter().map(|drawn| DrawnLine { seabed, ..drawn }));
+        declared.outputs.extend(outputs_along(&strand.name, strand.points_along, strand.ground.is_some()));
+        if k == 0 && self.supply.is_some() {
+            let rate = "rate at which the length of a line increases";
+            declared.outputs.push(Output::number("line_pay_out_rate", rate, "line", &strand.name, &["m/s"]));
+        }
     }
 
     /// Returns the number of states that are positions and velocities.
     fn motions(&self) -> usize {
-        6 * self.mesh.moving().len()
+        self.strands.iter().map(Strand::motions).sum()
     }
 }
 
 impl<S: Scalar> Element<S> for DynamicLine<S> {
     fn name(&self) -> &str {
-        &self.name
+        &self.strands[0].name
     }
 
     fn declare(&self) -> Declaration {
-        let of = |what: &str, unit: &'static str| {
-            let name = |k: usize, axis: &str| format!("node_{}.{what}.{axis}", k + 1);
-            let axes = |k: usize| ["x", "y", "z"].map(|axis| StateDeclaration::new(name(k, axis), unit));
-            (0..self.mesh.moving().len()).flat_map(axes).collect::<Vec<_>>()
-        };
         let energies = ["work_on_ends", "energy_lost_to_scheme"].map(|name| StateDeclaration::memory(name, "J"));
-        let by_rule = ["first", "second"].map(|end| {
-            ["x", "y", "z"].map(|axis| StateDeclaration::memory(format!("{end}_end_by_rule.{axis}"), "m/s"))
-        });
-        let states = [of("position", "m"), of("velocity", "m/s"), energies.to_vec(), by_rule.concat()].concat();
-        let mut declared = declaration_of_line(&self.name);
-        let lost = "energy that the time stepping of a line took from it";
-        declared.outputs.push(Output::number("line_energy_lost_to_scheme", lost, "line", &self.name, &["J"]));
-        declared.lines[0].seabed = self.ground.map(|ground| DrawnSeabed {
-            height_m: -ground.depth.value(),
-            gradient: ground.gradient().map(|slope| slope.value()),
-        });
-        declared.outputs.extend(outputs_along(&self.name, self.points_along, self.ground.is_some()));
+        let mut declared = Declaration::default();
+        let mut by_rule = Vec::new();
+        for (k, strand) in self.strands.iter().enumerate() {
+            let prefix = if k == 0 { String::new() } else { format!("{}.", strand.name) };
+            declared.states.extend(strand.declared_motions(&prefix));
+            for end in ["first", "second"].into_iter().take(ends_by_rule(k)) {
+                let name = |axis: &str| format!("{prefix}{end}_end_by_rule.{axis}");
+                by_rule.extend(["x", "y", "z"].map(|axis| StateDeclaration::memory(name(axis), "m/s")));
+            }
+            self.declare_line(k, &mut declared);
+        }
+        declared.states.extend(energies.into_iter().chain(by_rule));
         if self.supply.is_some() {
-            let rate = "rate at which the length of a line increases";
-            declared.outputs.push(Output::number("line_pay_out_rate", rate, "line", &self.name, &["m/s"]));
             declared.events.extend(EVENTS);
         }
-        Declaration { states, keeps_states: self.start.is_some(), advances: true, ..declared }
+        Declaration { keeps_states: self.start.is_some(), advances: true, ..declared }
     }
 
     /// Writes the nodes at rest; their velocities vary linearly from end to end.
     fn begin(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
         own.states.fill(S::ZERO);
-        let (positions, velocities) = own.states[..self.motions()].split_at_mut(self.motions() / 2);
         if let Some(start) = &self.start {
-            return start.iter().zip(positions.chunks_exact_mut(3)).for_each(|(place, state)| place.write_to(state));
+            return start.iter().zip(own.states.chunks_exact_mut(3)).for_each(|(place, state)| place.write_to(state));
         }
         let supplied = self.rest(at);
-        let [first, last] = [0, 1].map(|end| velocity(&self.ends[if self.mesh.free_end { 0 } else { end }], at));
-        let first = first - self.nodes.feed().drift(0) * supplied.map_or(S::ZERO, |now| now.rate);
-        let parts = (self.nodes.len() - 1) as f64;
-        for (k, (x, v)) in positions.chunks_exact_mut(3).zip(velocities.chunks_exact_mut(3)).enumerate() {
-            self.nodes.node(k + 1).position.write_to(x);
-            (first + (last - first) * S::constant((k + 1) as f64 / parts)).write_to(v);
+        let mut rest = &mut *own.states;
+        for k in 0..self.strands.len() {
+            let [first, last] = self.first_velocities(k, supplied.as_ref(), at);
+            let (motions, others) = rest.split_at_mut(self.strands[k].motions());
+            self.strands[k].begin([first, last], motions);
+            self.follow_joint(k);
+            rest = others;
         }
     }
 
-    /// Adds the forces and inertias at both ends, and the power of damping and water.
+    /// Adds the forces and inertias at the ends on bodies, and the power of damping and water.
     fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let stepping = at.evaluation == EvaluationMode::Stepping;
         let supplied = if stepping { self.evaluate_ends(at) } else { self.evaluate(at) };
-        if let (Some(supplied), Some(supply)) = (&supplied, &self.supply) {
-            let feed = self.nodes.feed();
-            supply.draw(supplied, feed, self.mesh.mass_per_length(), at, loads);
-            pull_at(&self.ends[0], feed.thrust, at, loads);
+        let Strand { nodes, mesh, ends, .. } = &self.strands[0];
+        if let (Some(supplied), Some(supply), Some(first)) = (&supplied, &self.supply, &ends[0]) {
+            let feed = nodes.feed();
+            supply.draw(supplied, feed, mesh.mass_per_length(), at, loads);
+            pull_at(first, feed.thrust, at, loads);
             loads.power.outside += feed.entering;
         }
-        loads.power.dissipated += self.nodes.dissipated;
-        loads.power.outside += self.nodes.outside;
-        for (end, node) in self.ends.iter().zip(self.held_nodes()) {
-            self.pull(end, self.nodes.node(node), at, loads);
+        for strand in &self.strands {
+            loads.power.dissipated += strand.nodes.dissipated;
+            loads.power.outside += strand.nodes.outside;
+            strand.pull(at, loads);
+            strand.turn(at, loads);
         }
-        self.turn(at, loads);
     }
 
     fn rates(&mut self, at: &Context<'_, S>, rates: &mut [S]) {
-        let (motions, energies) = rates.split_at_mut(self.motions());
+        let (mut motions, energies) = rates.split_at_mut(self.motions());
         energies.fill(S::ZERO);
         energies[0] = self.on_ends;
         if at.evaluation == EvaluationMode::Stepping {
             return motions.fill(S::ZERO);
         }
-        let half = motions.len() / 2;
-        let (moves, accelerates) = motions.split_at_mut(half);
-        for (k, (x, v)) in moves.chunks_exact_mut(3).zip(accelerates.chunks_exact_mut(3)).enumerate() {
-            self.nodes.mesh_velocity(k + 1).write_to(x);
-            self.nodes.mesh_acceleration(k + 1, &self.mesh).write_to(v);
+        for strand in &self.strands {
+            let (own, others) = motions.split_at_mut(strand.motions());
+            strand.rates(own);
+            motions = others;
         }
     }
 
     /// Returns the energy of strain, weight and ground, and the kinetic energy of the nodes between the ends, J.
     fn potential_energy(&mut self, at: &Context<'_, S>) -> S {
         let supplied = self.evaluate(at);
-        let energy = self.nodes.energy(&self.mesh, self.ground.as_ref(), at);
+        let of = |strand: &Strand<S>| strand.nodes.energy(&strand.mesh, strand.ground.as_ref(), at);
+        let energy = self.strands.iter().map(of).fold(S::ZERO, |sum, energy| sum + energy);
         let let_out = supplied.zip(self.supply.as_ref());
-        let_out.map_or(energy, |(now, supply)| energy + supply.energy(&now, self.mesh.mass_per_length(), at))
+        let mass_per_length = self.strands[0].mesh.mass_per_length();
+        let_out.map_or(energy, |(now, supply)| energy + supply.energy(&now, mass_per_length, at))
     }
 
     fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         let supplied = self.evaluate(at);
-        let [first, last] = self.nodes.end_tensions(&self.mesh);
-        let lost = at.states[self.motions() + 1];
-        out.extend([first, last, self.nodes.grounded_length(&self.mesh, self.ground.as_ref()), lost]);
-        self.nodes.write_along(&self.mesh, self.ground.as_ref(), self.points_along, out);
-        out.extend(supplied.map(|now| now.rate));
+        let (mut rate, mut lost) = (supplied.map(|now| now.rate), Some(at.states[self.motions() + 1]));
+        for Strand { nodes, mesh, ground, points_along, .. } in &self.strands {
+            out.extend(nodes.end_tensions(mesh));
+            out.push(nodes.grounded_length(mesh, ground.as_ref()));
+            out.extend(lost.take());
+            nodes.write_along(mesh, ground.as_ref(), *points_along, out);
+            out.extend(rate.take());
+        }
     }
 
     fn event_indicators(&mut self, at: &Context<'_, S>, values: &mut [S]) {
@@ -391,14 +359,13 @@ impl<S: Scalar> Element<S> for DynamicLine<S> {
 
     fn draw(&mut self, at: &Context<'_, S>, points: &mut Vec<S>) {
         self.evaluate(at);
-        shares().for_each(|share: f64| points.extend(self.nodes.at(share, &self.mesh).0));
+        for Strand { nodes, mesh, .. } in &self.strands {
+            shares().for_each(|share: f64| points.extend(nodes.at(share, mesh).0));
+        }
     }
 
     fn left_out_at_rest(&self) -> Option<&'static str> {
-        Some(
-            "the response has this line at rest between its ends at every instant, and leaves out its inertia, the waves on it and its \
-             drag, which is zero at rest; in a run the drag damps the line, most near its own periods, and the ship on it",
-        )
+        Some(if self.strands.len() == 1 { LEFT_OUT } else { LEFT_OUT_OF_ALL })
     }
 
     fn move_about_rest(&mut self, moves: bool) {
@@ -414,8 +381,11 @@ impl<S: Scalar> Element<S> for DynamicLine<S> {
     }
 
     fn watchers(&self) -> Vec<AnyWatcher> {
-        let ends = if self.ground.is_some() || self.mesh.free_end { 1 } else { 2 };
-        vec![Box::new(Slack::new(&self.name, ends))]
+        let of = |Strand { name, mesh, ground, .. }: &Strand<S>| -> AnyWatcher {
+            let ends = if ground.is_some() || mesh.hangs_free() { 1 } else { 2 };
+            Box::new(Slack::new(name, ends))
+        };
+        self.strands.iter().map(of).collect()
     }
 
     fn advancing(&mut self) -> Option<&mut dyn Advancing<S>> {
@@ -423,7 +393,8 @@ impl<S: Scalar> Element<S> for DynamicLine<S> {
     }
 
     fn supports(&self) -> Vec<Support> {
-        let ends = [self.ends[0].body, self.ends[1].body];
-        vec![Support::Carries(ends), Support::Station(ends)]
+        let held: Vec<Option<usize>> = self.strands.iter().flat_map(Strand::held).map(|(_, end)| end.body).collect();
+        let pairs = held.iter().enumerate().flat_map(|(k, one)| held[k + 1..].iter().map(|other| [*one, *other]));
+        pairs.flat_map(|ends| [Support::Carries(ends), Support::Station(ends)]).collect()
     }
 }

@@ -3,9 +3,9 @@
 use super::bend::Bend;
 use super::feed::LineFeed;
 use super::ground::LineGround;
-use super::mesh::{LineMesh, LineMeshElement};
+use super::mesh::{LineMesh, LineMeshElement, SecondEnd};
 use super::section::{PartMass, WetPart};
-use super::strain::{GAUSS, Strained, shapes, slopes, strained, sum};
+use super::strain::{BEYOND_GAUSS, GAUSS, Strained, shapes, slopes, strained, sum};
 use crate::elements::Context;
 use crate::elements::lines::length_and_direction;
 use crate::scalar::Scalar;
@@ -225,17 +225,22 @@ impl<S: Scalar> Nodes<S> {
             let wet = part.in_water(at, position, tangent);
             let (support, heat, _) = self.on_ground(i, mesh, ground);
             self.put_loads(i, part.dry_mass(), &wet, S::ZERO, (support, heat), at);
-            if !mesh.moving().contains(&i) {
+            if !mesh.moving().contains(&i) || mesh.is_joint(i) {
                 continue;
             }
             let node = &mut self.nodes[i];
             let along = tangent * tangent.dot(node.force);
             node.acceleration = (node.force - along) * (S::ONE / node.mass.across) + along * (S::ONE / node.mass.along);
-            // The water's part of the inertia is outside of the line.
-            let of_water = node.acceleration * wet.added.across
-                + tangent * ((wet.added.along - wet.added.across) * tangent.dot(node.acceleration));
-            self.outside -= of_water.dot(velocity);
+            self.outside -= of_water(node, &wet.added).dot(velocity);
         }
+    }
+
+    /// Sets the acceleration of a node at which lines meet, m/s^2.
+    pub fn accelerate(&mut self, i: usize, mesh: &LineMesh<S>, acceleration: Vector3<S>) {
+        let (node, dry) = (&mut self.nodes[i], mesh.nodes[i].dry_mass());
+        node.acceleration = acceleration;
+        let added = PartMass { across: node.mass.across - dry, along: node.mass.along - dry };
+        self.outside -= of_water(node, &added).dot(node.velocity);
     }
 
     /// Returns force, heat and energy of the ground at a node.
@@ -257,7 +262,7 @@ impl<S: Scalar> Nodes<S> {
     }
 
     /// Returns the tensions at the ends, N: the reactions of the bodies, with the accelerations of the ends extrapolated from
-    /// the nodes beside them; zero at a free end.
+    /// the nodes beside them; that of the last element where other lines are fastened; zero at a free end.
     pub fn end_tensions(&self, mesh: &LineMesh<S>) -> [S; 2] {
         let last = self.nodes.len() - 1;
         let at_end = |end: usize, [near, far]: [usize; 2], outward: f64| {
@@ -268,7 +273,19 @@ impl<S: Scalar> Nodes<S> {
         };
         // A line of one element has one node between its ends.
         let of_first = at_end(0, [1, 2.min(last - 1)], -1.0);
-        [of_first, if mesh.free_end { S::ZERO } else { at_end(last, [last - 1, (last - 2).max(1)], 1.0) }]
+        let of_second = match mesh.second {
+            SecondEnd::Held => at_end(last, [last - 1, (last - 2).max(1)], 1.0),
+            _ if mesh.hangs_free() => S::ZERO,
+            _ => self.at_last_joint(mesh),
+        };
+        [of_first, of_second]
+    }
+
+    /// Returns the tension of the last element at its end, N, extrapolated from the points of Gauss's rule.
+    fn at_last_joint(&self, mesh: &LineMesh<S>) -> S {
+        let element = mesh.elements.len() - 1;
+        let [second, last] = [0, 1].map(|k| self.tension(2 * element + k));
+        mesh.elements[element].section.possible(last + (last - second) * S::constant(BEYOND_GAUSS))
     }
 
     /// Returns the largest strain by the elastic tension; NaN if a tension is NaN.
@@ -301,6 +318,11 @@ impl<S: Scalar> Nodes<S> {
         let xi = 2.0 * (place - from) / mesh.elements[element].length.value() - 1.0;
         sum(&shapes(xi), &self.of_element(element, |node| node.position))
     }
+}
+
+/// Returns the inertial force of the added mass at a node, N: the water's part of the inertia is outside of the line.
+fn of_water<S: Scalar>(LineNode { acceleration, tangent, .. }: &LineNode<S>, added: &PartMass<S>) -> Vector3<S> {
+    *acceleration * added.across + *tangent * ((added.along - added.across) * tangent.dot(*acceleration))
 }
 
 /// Writes the unit tangents at nodes: between the neighbours of a node, at the ends by the shape of the element.

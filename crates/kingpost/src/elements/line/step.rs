@@ -1,4 +1,4 @@
-//! A line over a part of a step, by the implicit midpoint rule: its axial waves do not limit the step of the ship.
+//! Lines over a part of a step, by the implicit midpoint rule: their axial waves do not limit the step of the ship.
 //!
 //! From the base of the step, where positions and velocities are `x_0` and `v_0`, to a time H later, where the ends have
 //! moved with their bodies, the nodes between the ends move by
@@ -20,13 +20,12 @@
 //! follow by the matrix at the solution (implicit function theorem).
 
 use super::bend::LineEnds;
-use super::blocks::Blocks;
 use super::descent::Descent;
-use super::ground::LineGround;
+use super::equations::LineEquations;
 use super::mesh::LineMesh;
-use super::nodes::Nodes;
 use super::section::WetPart;
 use super::span::{LineSpan, NodeLoads};
+use super::strand::{Strand, shortest};
 use crate::dynamics::Clock;
 use crate::elements::Context;
 use crate::scalar::Scalar;
@@ -44,114 +43,141 @@ const LONGEST_MOVE: f64 = 0.5;
 /// Change of a derivative that jumps, as a share of the jump, after which a matrix is too old to end the search.
 const JUMPED: f64 = 0.1;
 
-/// Energy of a line over a part of a step, J.
+/// Energy of lines over a part of a step, J.
 #[derive(Clone, Copy, Debug)]
 pub struct Booked<S> {
     /// Heat of damping, water and ground.
     pub dissipated: S,
     /// Work of the water, without the heat.
     pub outside: S,
-    /// Work of the line's tension on its ends.
+    /// Work of the lines' tensions on the ends on bodies.
     pub on_ends: S,
 }
 
-/// A step of a line: its base, and the last point to which it was advanced.
+/// A step of lines: its base, and the last point to which they were advanced.
 #[derive(Clone, Debug)]
 pub struct LineStep<S> {
-    span: LineSpan<S>,
+    /// Each line, behind the one to which it is fastened.
+    spans: Vec<LineSpan<S>>,
     /// Equations, with the matrix of an iteration.
-    blocks: Blocks<S>,
+    equations: LineEquations<S>,
     /// Derivatives that jump, for that matrix.
     rises: Vec<S>,
+    /// Moves of the ends of each line from the last point to the next, m.
+    moved: Vec<[Vector3<S>; 2]>,
     descent: Descent<S>,
-    /// Energy of the line without its ends at the base, J.
+    /// Energy of the lines without their ends on bodies at the base, J.
     energy: S,
 }
 
 impl<S: Scalar> LineStep<S> {
-    /// Allocates the memory for the nodes of a mesh.
-    pub fn new(mesh: &LineMesh<S>) -> Self {
-        let count = mesh.nodes.len();
+    /// Allocates the memory for the nodes of lines.
+    pub fn new(strands: &[Strand<S>]) -> Self {
+        let spans: Vec<_> = strands.iter().map(|strand| LineSpan::new(&strand.mesh)).collect();
         Self {
-            rises: vec![S::ZERO; 2 * count - 1],
-            span: LineSpan::new(mesh),
-            blocks: Blocks::new(count, mesh.moving(), !mesh.bends.is_empty()),
-            descent: Descent::new(count),
+            rises: vec![S::ZERO; spans.iter().map(|span| span.rises.len()).sum()],
+            moved: Vec::new(),
+            descent: Descent::new(spans.iter().map(|span| span.base.len()).sum()),
+            spans,
+            equations: LineEquations::new(strands),
             energy: S::ZERO,
         }
     }
 
-    /// Begins a step at the motion of these nodes, paying out at this rate (m/s); the context is that of its start. Leaves the
-    /// first part of the mesh with its length in the middle of the step.
-    pub fn begin(
-        &mut self,
-        nodes: &Nodes<S>,
-        mesh: &mut LineMesh<S>,
-        (ground, rate): (Option<&LineGround<S>>, S),
-        at: &Context<'_, S>,
-    ) {
+    /// Begins a step at the motion of the nodes of lines, the first of which is paid out at this rate (m/s); the context is that
+    /// of its start. Leaves the first part of the mesh with its length in the middle of the step.
+    pub fn begin(&mut self, strands: &mut [Strand<S>], rate: S, at: &Context<'_, S>) {
         let Clock { time_s, middle_s } = at.clock;
-        self.span.begin(nodes, mesh, [time_s, middle_s]);
-        let motion = |i: usize| [self.span.base[i].position, self.span.base[i].velocity];
-        self.energy = self.span.energy_of(mesh, ground, at.world.gravity, motion, &nodes.directions);
-        if mesh.supplied > 0 {
-            mesh.set_first(mesh.first() + rate * S::constant(middle_s - time_s));
-            self.span.drift(mesh);
+        for (span, strand) in self.spans.iter_mut().zip(&*strands) {
+            span.begin(&strand.nodes, &strand.mesh, [time_s, middle_s]);
         }
-        self.span.load_base(mesh, at);
+        self.energy =
+            self.energy_of(strands, at.world.gravity, |span, i| [span.base[i].position, span.base[i].velocity]);
+        for (span, strand) in self.spans.iter_mut().zip(strands) {
+            let mesh = &mut strand.mesh;
+            if mesh.supplied > 0 {
+                mesh.set_first(mesh.first() + rate * S::constant(middle_s - time_s));
+                span.drift(mesh);
+            }
+            span.load_base(mesh, at);
+        }
     }
 
-    /// Returns the water about a node, and the time from its motion to a time, s.
-    pub fn water_at(&self, node: usize, time_s: f64) -> (&WetPart<S>, f64) {
-        (&self.span.base[node].wet, time_s - self.span.clock[1])
+    /// Returns the energy of lines without their ends on bodies, J, with these positions and velocities of their nodes.
+    fn energy_of(
+        &self,
+        strands: &[Strand<S>],
+        gravity: S,
+        motion: impl Fn(&LineSpan<S>, usize) -> [Vector3<S>; 2],
+    ) -> S {
+        let of = |(span, strand): (&LineSpan<S>, &Strand<S>)| {
+            let Strand { mesh, ground, nodes, .. } = strand;
+            let directions = if self.has_advanced() { &span.directions } else { &nodes.directions };
+            span.energy_of(mesh, ground.as_ref(), gravity, |i| motion(span, i), directions)
+        };
+        self.spans.iter().zip(strands).map(of).fold(S::ZERO, |sum, energy| sum + energy)
     }
 
-    /// Moves the nodes to a time, at which the ends have this motion and the first part has its length in the mesh.
+    /// Returns the water about a node of a line, and the time from its motion to a time, s.
+    pub fn water_at(&self, strand: usize, node: usize, time_s: f64) -> (&WetPart<S>, f64) {
+        let span = &self.spans[strand];
+        (&span.base[node].wet, time_s - span.clock[1])
+    }
+
+    /// Moves the nodes to a time, at which the ends have these motions and the first part has its length in the mesh.
     ///
     /// # Errors
     /// The last move of the iteration, m, if it does not converge.
     pub fn advance(
         &mut self,
-        mesh: &LineMesh<S>,
-        ground: Option<&LineGround<S>>,
-        LineEnds { places, directions }: &LineEnds<S>,
+        strands: &[Strand<S>],
+        ends: impl Iterator<Item = LineEnds<S>>,
         time_s: f64,
     ) -> Result<(), f64> {
-        let Self { span, blocks, rises, descent, .. } = self;
-        span.paid[1] = mesh.first() - span.paid[0];
-        span.directions = *directions;
-        let interval_s = time_s - span.clock[0];
-        let is_same_time = interval_s == span.clock[2];
-        if !is_same_time {
-            span.predict(interval_s);
-        }
-        let moved = span.move_ends(*places, mesh.moving().end);
+        let Self { spans, equations, rises, moved, descent, .. } = self;
+        let interval_s = time_s - spans[0].clock[0];
+        let is_same_time = interval_s == spans[0].clock[2];
+        let points = spans.iter_mut().zip(strands).zip(ends);
+        moved.clear();
+        moved.extend(points.map(|((span, line), ends)| to_point(span, &line.mesh, &ends, (interval_s, is_same_time))));
+        let mut open = S::ONE;
         if is_same_time {
-            descent.follow(blocks, moved, &mut span.next);
-            let stays = moved.iter().all(|way| way.norm_squared().all(|square| square == 0.0));
-            if stays && mesh.supplied == 0 && mesh.bends.is_empty() {
-                return Ok(());
+            descent.follow(equations, moved, spans.iter_mut().map(|span| &mut span.next));
+            if strands.iter().all(|Strand { mesh, .. }| mesh.supplied == 0 && mesh.bends.is_empty()) {
+                open = have_moved(moved);
             }
         }
+        descent.begin_again(open);
+        if descent.has_arrived() {
+            return Ok(());
+        }
+        let shortest = shortest(strands);
         let [with_new, with_old, longest] =
-            [CONVERGED, CONVERGED_WITH_OLD, LONGEST_MOVE].map(|share| mesh.shortest() * S::constant(share));
-        descent.begin();
+            [CONVERGED, CONVERGED_WITH_OLD, LONGEST_MOVE].map(|share| shortest * S::constant(share));
         for iteration in 0..MOST_ITERATIONS {
             let has_old = if is_same_time { iteration == 0 } else { iteration == 1 };
+            let (mut may_arrive, mut enough) = (S::ONE, with_new);
             if has_old {
-                span.equations::<false>(blocks, mesh, ground);
-                descent.improve(blocks, &mut span.next, [with_old, longest], have_not_jumped(rises, &span.rises));
+                write::<S, false>(equations, spans, strands);
+                (may_arrive, enough) = (have_not_jumped(rises, spans), with_old);
             } else {
-                span.equations::<true>(blocks, mesh, ground);
-                blocks.factor();
-                rises.copy_from_slice(&span.rises);
-                descent.improve(blocks, &mut span.next, [with_new, longest], S::ONE);
+                // Lanes that have arrived keep their matrix, as if they were alone.
+                let open = descent.open();
+                let kept = (!open.all(|open| open == 1.0)).then(|| equations.clone());
+                write::<S, true>(equations, spans, strands);
+                equations.factor();
+                kept.iter().for_each(|kept| equations.keep(kept, open));
+                for (old, new) in rises.iter_mut().zip(spans.iter().flat_map(|span| &span.rises)) {
+                    *old = open.select_below(0.5, || *old, || *new);
+                }
             }
+            let nodes = spans.iter_mut().map(|span| &mut span.next);
+            descent.improve(equations, nodes, [enough, longest], may_arrive);
             if descent.has_arrived() {
                 if S::HAS_DERIVATIVES {
-                    span.equations::<true>(blocks, mesh, ground);
-                    blocks.factor();
-                    descent.differentiate(blocks, &mut span.next);
+                    write::<S, true>(equations, spans, strands);
+                    equations.factor();
+                    descent.differentiate(equations, spans.iter_mut().map(|span| &mut span.next));
                 }
                 return Ok(());
             }
@@ -159,50 +185,89 @@ impl<S: Scalar> LineStep<S> {
         Err(descent.size().value())
     }
 
-    /// Returns the energy of the line over the interval to the last point: its ends get what its energy loses, without heat and
-    /// with the work of the water.
-    pub fn booked(&self, mesh: &LineMesh<S>, ground: Option<&LineGround<S>>, gravity: S) -> Booked<S> {
-        let span = &self.span;
-        let interval = S::constant(span.clock[2]);
+    /// Returns the energy of lines over the interval to the last point: the ends on bodies get what their energy loses, without
+    /// heat and with the work of the water.
+    pub fn booked(&self, strands: &[Strand<S>], gravity: S) -> Booked<S> {
         let mut booked = Booked { dissipated: S::ZERO, outside: S::ZERO, on_ends: S::ZERO };
-        for k in 0..span.points() {
-            booked.dissipated += span.heat_of_damping(k, mesh);
+        for (span, strand) in self.spans.iter().zip(strands) {
+            book(span, strand, &mut booked);
         }
-        for i in mesh.moving() {
-            let NodeLoads { water, heat: [of_drag, of_ground], .. } = span.loads(i, ground, interval);
-            let mut acceleration = (span.velocity(i) - span.base[i].velocity) * (S::ONE / interval);
-            if i < span.drifts.len() {
-                acceleration -= span.convected(i, mesh, S::ONE / interval);
-            }
-            // The water's part of the inertia is outside of the line.
-            let of_water = water - span.base[i].added * acceleration;
-            booked.dissipated += of_drag + of_ground;
-            booked.outside += of_water.dot(span.way(i)) + of_drag;
-        }
-        let motion = |i: usize| [span.next[i], span.velocity(i)];
-        let change = span.energy_of(mesh, ground, gravity, motion, &span.directions) - self.energy;
+        let change = self.energy_of(strands, gravity, |span, i| [span.next[i], span.velocity(i)]) - self.energy;
         booked.on_ends = booked.outside - booked.dissipated - change;
         booked
     }
 
-    /// Returns the position of a node at the last point, world, m.
-    pub fn position(&self, node: usize) -> Vector3<S> {
-        self.span.next[node]
+    /// Returns the position of a node of a line at the last point, world, m.
+    pub fn position(&self, strand: usize, node: usize) -> Vector3<S> {
+        self.spans[strand].next[node]
     }
 
-    /// Whether the line was advanced since the base of the step.
+    /// Whether the lines were advanced since the base of the step.
     pub fn has_advanced(&self) -> bool {
-        self.span.clock[2] > 0.0
+        self.spans[0].clock[2] > 0.0
     }
 
-    /// Returns the velocity of a node by the midpoint rule at the last point, world, m/s.
-    pub fn velocity(&self, node: usize) -> Vector3<S> {
-        self.span.velocity(node)
+    /// Returns the velocity of a node of a line by the midpoint rule at the last point, world, m/s.
+    pub fn velocity(&self, strand: usize, node: usize) -> Vector3<S> {
+        self.spans[strand].velocity(node)
     }
 }
 
+/// Predicts a line at a point this time (s) after the base, unless it is the time of the last point. Returns the moves of its ends
+/// to their places there.
+fn to_point<S: Scalar>(
+    span: &mut LineSpan<S>,
+    mesh: &LineMesh<S>,
+    ends: &LineEnds<S>,
+    (interval_s, is_same_time): (f64, bool),
+) -> [Vector3<S>; 2] {
+    span.paid[1] = mesh.first() - span.paid[0];
+    span.directions = ends.directions;
+    if !is_same_time {
+        span.predict(interval_s);
+    }
+    span.move_ends(ends.places, mesh.moving().end)
+}
+
+/// Writes the equations of Newton's method for lines; without `MATRIX`, their right sides only.
+fn write<S: Scalar, const MATRIX: bool>(
+    equations: &mut LineEquations<S>,
+    spans: &mut [LineSpan<S>],
+    strands: &[Strand<S>],
+) {
+    for ((blocks, span), strand) in equations.strands.iter_mut().zip(spans).zip(strands) {
+        span.equations::<MATRIX>(blocks, &strand.mesh, strand.ground.as_ref());
+    }
+}
+
+/// Adds heat and work of the water of a line over the interval to the last point.
+fn book<S: Scalar>(span: &LineSpan<S>, Strand { mesh, ground, .. }: &Strand<S>, booked: &mut Booked<S>) {
+    let interval = S::constant(span.clock[2]);
+    for k in 0..span.points() {
+        booked.dissipated += span.heat_of_damping(k, mesh);
+    }
+    for i in mesh.moving() {
+        let NodeLoads { water, heat: [of_drag, of_ground], .. } = span.loads(i, ground.as_ref(), interval);
+        let mut acceleration = (span.velocity(i) - span.base[i].velocity) * (S::ONE / interval);
+        if i < span.drifts.len() {
+            acceleration -= span.convected(i, mesh, S::ONE / interval);
+        }
+        // The water's part of the inertia is outside of the line.
+        let of_water = water - span.base[i].added * acceleration;
+        booked.dissipated += of_drag + of_ground;
+        booked.outside += of_water.dot(span.way(i)) + of_drag;
+    }
+}
+
+/// Returns 1 for lanes in which an end has moved, else 0.
+fn have_moved<S: Scalar>(moved: &[[Vector3<S>; 2]]) -> S {
+    let squares = moved.iter().flatten().map(|way| way.norm_squared());
+    squares.fold(S::ZERO, |so_far, square| square.select_below(f64::MIN_POSITIVE, || so_far, || S::ONE))
+}
+
 /// Returns 1 if derivatives that jump are the old ones, else 0.
-fn have_not_jumped<S: Scalar>(old: &[S], new: &[S]) -> S {
+fn have_not_jumped<S: Scalar>(old: &[S], spans: &[LineSpan<S>]) -> S {
+    let new = spans.iter().flat_map(|span| &span.rises);
     let squares = old.iter().zip(new).map(|(old, new)| (*new - *old) * (*new - *old));
     squares.fold(S::ONE, |so_far, square| square.select_below(JUMPED * JUMPED, || so_far, || S::ZERO))
 }

@@ -8,6 +8,9 @@ use crate::spatial::Vector3;
 /// Coordinate of the two points of Gauss's rule, from the middle of an element, in halves of its length; 1 / sqrt(3).
 pub const GAUSS: f64 = 0.577_350_269_189_625_8;
 
+/// Distance from the second of them to the end of the element, over that between both.
+pub const BEYOND_GAUSS: f64 = 0.5 * (1.0 / GAUSS - 1.0);
+
 /// Returns the coordinate in its element of the k-th point of Gauss's rule along a line, two of them in each element.
 pub fn gauss(k: usize) -> f64 {
     [-GAUSS, GAUSS][k % 2]

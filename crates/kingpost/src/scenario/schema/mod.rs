@@ -55,7 +55,7 @@ pub use crate::elements::gravity::fields::Gravity;
 pub use crate::elements::hull::fields::{Hydrodynamics, Hydrostatics};
 pub use crate::elements::inertial_unit::fields::{InertialFilter, InertialUnit};
 pub use crate::elements::input_shaper::fields::{InputShaper, ShaperKind};
-pub use crate::elements::line::fields::{DynamicLine, DynamicLineSection, LineClumpWeight, LineSeabed};
+pub use crate::elements::line::fields::{DynamicLine, DynamicLineSection, LineClumpWeight, LineSeabed, SectionEnd};
 pub use crate::elements::lines::fields::{CatenaryLine, SpringLine};
 pub use crate::elements::motion_reference_unit::fields::{HeaveFilter, MotionReferenceUnit};
 pub use crate::elements::operation::fields::{ColumnRange, Condition, InputMove, Limit, Operation, OperationStep};

@@ -3,7 +3,7 @@
 use crate::elements::compensation::{Hoist, MovedSheaves};
 use crate::elements::drives::{ControlledDrive, SetPoint};
 use crate::elements::ropes::{Drum, RopePath};
-use crate::elements::{AnyElement, DynamicLine, Rope, of_kind};
+use crate::elements::{AnyElement, DynamicLine, Element, Rope, of_kind};
 use crate::model::{Attachment, Model};
 use crate::scenario::assembly::{FieldError, wires};
 use crate::scenario::leaf::Quantity;
@@ -76,7 +76,7 @@ type OverSheaves<'a, S> = (&'a str, (&'a RopePath<S>, Option<Drum<S>>));
 fn over_sheaves<S: Quantity>(elements: &[AnyElement<S>]) -> Vec<OverSheaves<'_, S>> {
     let ropes = of_kind::<S, Rope<S>>(elements).map(|rope| (rope.name.as_str(), (&rope.path, rope.drum)));
     let lines = of_kind::<S, DynamicLine<S>>(elements);
-    ropes.chain(lines.filter_map(|line| Some((line.name.as_str(), line.over_sheaves()?)))).collect()
+    ropes.chain(lines.filter_map(|line| Some((line.name(), line.over_sheaves()?)))).collect()
 }
 
 /// Returns the text "drive, which drives joint" for an error.

@@ -1,19 +1,21 @@
 //! Lines with mass: their ends, sections and seabed.
 
+mod branches;
+
 use super::{ClumpWeight, DynamicLine, LineGround, LinePart, LineSection, RestingLine};
 use crate::dynamics::LinkKinematics;
 use crate::elements::lines::assembly::{LARGEST_STRAIN, end};
 use crate::elements::ropes::assembly::at_start::check_path;
 use crate::elements::ropes::assembly::{Laid, lay};
 use crate::elements::ropes::{Drum, Station};
-use crate::elements::{AnyElement, Context, of_kind_mut};
+use crate::elements::{AnyElement, Context, Element, of_kind_mut};
 use crate::model::Attachment;
 use crate::scenario::assembly::FieldError;
 use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema::{self, RopeStation};
 use crate::simulation::Setup;
-use crate::spatial::{Frame, Vector3};
+use crate::spatial::Vector3;
 
 /// Largest number of elements of a line: its cost is linear in them, but each has twelve states.
 const MOST_ELEMENTS: usize = 2000;
@@ -33,23 +35,43 @@ const ON_SEABED: f64 = 1e-9;
 
 impl<S: Quantity> Assemble<S> for schema::DynamicLine<S> {
     fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
-        let field = |field: &str| format!("forces.{name}.line.{field}");
-        let laid = laid(self, &field, &at)?;
-        let parts = parts(self, &field)?;
-        if self.points_along == 1 || self.points_along > MOST_POINTS {
-            let allowed = format!("2 to {MOST_POINTS}, or 0 for none");
-            return Err(FieldError::new(field("points_along"), self.points_along, allowed));
-        }
-        let ground = self.seabed.as_ref().map(|seabed| ground(seabed, &parts, at.world.depth, &field)).transpose()?;
-        let line = match (laid, self.enabled) {
-            (Some(LaidLine::Between(ends)), true) => DynamicLine::new(name, ends, &parts),
-            (Some(LaidLine::Free([first, nowhere])), true) => DynamicLine::ending_free(name, first, nowhere, &parts),
-            (Some(LaidLine::Over(stations, drum)), true) => DynamicLine::over(name, &stations, drum, &parts),
-            _ => return Ok(Vec::new()),
-        };
-        let line = with_clumps(line, self, &field)?.clamped(clamps(self, &parts, &field)?);
-        Ok(vec![Box::new(DynamicLine { ground, points_along: self.points_along, ..line })])
+        let line = line(self, name, at)?;
+        // A branch is a part of the line on which it hangs.
+        let elements = line.filter(|_| self.second_on.is_none());
+        Ok(elements.into_iter().map(|line| Box::new(line) as _).collect())
     }
+}
+
+/// Returns a line with those that are fastened to it; `None` if it is disabled or a body does not exist.
+fn line<S: Quantity>(
+    given: &schema::DynamicLine<S>,
+    name: &str,
+    at: Surroundings<'_, S>,
+) -> Result<Option<DynamicLine<S>>, FieldError> {
+    let field = |field: &str| format!("forces.{name}.line.{field}");
+    let laid = laid(given, name, &at)?;
+    let parts = parts(given, &field)?;
+    if given.points_along == 1 || given.points_along > MOST_POINTS {
+        let allowed = format!("2 to {MOST_POINTS}, or 0 for none");
+        return Err(FieldError::new(field("points_along"), given.points_along, allowed));
+    }
+    let ground = given.seabed.as_ref().map(|seabed| ground(seabed, &parts, at.world.depth, &field)).transpose()?;
+    let (Some(laid), true) = (laid, given.enabled) else { return Ok(None) };
+    let line = match laid {
+        LaidLine::Between(ends) => DynamicLine::new(name, ends, &parts),
+        LaidLine::Free(first) => DynamicLine::ending_free(name, first, &parts),
+        LaidLine::Over(stations, drum) => DynamicLine::over(name, &stations, drum, &parts),
+    };
+    let line = with_clumps(line, given, &field)?.clamped(clamps(given, &parts, &field)?);
+    let line = line.with_points_along(given.points_along);
+    let mut line = ground.into_iter().fold(line, DynamicLine::on);
+    for (branch, section, given) in branches::branches_of(at.scenario, name) {
+        let to_end = parts.iter().take(section + 1).map(|part| part.elements).sum();
+        if let Some(branch) = self::line(given, branch, at)? {
+            line = line.with_branch(to_end, branch);
+        }
+    }
+    Ok(Some(line))
 }
 
 /// Returns the directions of clamped ends: their sections have bending stiffness, and no section of a path has.
@@ -65,8 +87,12 @@ fn clamps<S: Quantity>(
         return Err(FieldError::new(field(&format!("sections.{k}.bending_stiffness_N_m2")), found, allowed));
     }
     let given = [("first", &line.first_direction, 0), ("second", &line.second_direction, parts.len() - 1)];
-    if line.second_free && line.second_direction.is_some() {
-        return Err(FieldError::new(field("second_direction"), "a direction", "none at a free end"));
+    let not_held = [
+        (line.second_free, "none at a free end"),
+        (line.second_on.is_some(), "none on another line: it turns freely there"),
+    ];
+    if let Some((_, allowed)) = not_held.into_iter().find(|(is_so, _)| *is_so && line.second_direction.is_some()) {
+        return Err(FieldError::new(field("second_direction"), "a direction", allowed));
     }
     for (which, direction, k) in given {
         if direction.is_some() && !bends(&parts[k]) {
@@ -88,7 +114,12 @@ fn with_clumps<S: Quantity>(
         element += section.elements;
         let Some(clump) = &section.clump_weight else { continue };
         if k + 1 == given.sections.len() && !given.second_free {
-            let allowed = "none at the end of the last section: give its mass and volume to the body there";
+            let allowed = match given.second_on {
+                Some(_) => {
+                    "none at the end of the last section: give it to the section of the line to which it is fastened"
+                }
+                None => "none at the end of the last section: give its mass and volume to the body there",
+            };
             return Err(FieldError::new(field(&format!("sections.{k}.clump_weight")), "a clump weight", allowed));
         }
         let clump = ClumpWeight {
@@ -106,8 +137,8 @@ fn with_clumps<S: Quantity>(
 enum LaidLine<S> {
     /// Its two ends.
     Between([Attachment<S>; 2]),
-    /// Its first end, and a place in the world instead of the free one.
-    Free([Attachment<S>; 2]),
+    /// Its first end: the second one is free, or on another line.
+    Free(Attachment<S>),
     /// The stations of a path, and the drum at its beginning.
     Over(Vec<Station<S>>, Option<Drum<S>>),
 }
@@ -115,32 +146,32 @@ enum LaidLine<S> {
 /// Returns the places of a line; `None` if a body does not exist.
 fn laid<S: Quantity>(
     line: &schema::DynamicLine<S>,
-    field: &dyn Fn(&str) -> String,
+    name: &str,
     at: &Surroundings<'_, S>,
 ) -> Result<Option<LaidLine<S>>, FieldError> {
-    let (first, second) = match (&line.first, &line.second, line.path.is_empty()) {
-        (Some(first), Some(second), true) if !line.second_free => (first, second),
-        (None, None, false) if !line.second_free => return over(line, field, at),
-        (Some(first), None, true) if line.second_free => {
-            let nowhere = at.model.attachment(None, Frame::translation(Vector3::zero()));
-            let first = end(at.scenario, at.model, &field("first"), first)?;
-            return Ok(first.map(|first| LaidLine::Free([first, nowhere])));
+    let field = |field: &str| format!("forces.{name}.line.{field}");
+    let found = [
+        ("first", line.first.is_some()),
+        ("second", line.second.is_some()),
+        ("second_free", line.second_free),
+        ("second_on", line.second_on.is_some()),
+        ("path", !line.path.is_empty()),
+    ];
+    let given: Vec<&str> = found.iter().filter(|(_, given)| *given).map(|(name, _)| *name).collect();
+    let (Some(first), [_, second]) = (&line.first, &given[..]) else {
+        if given == ["path"] {
+            return over(line, &field, at);
         }
-        (first, second, bare) => {
-            let found = [
-                ("first", first.is_some()),
-                ("second", second.is_some()),
-                ("second_free", line.second_free),
-                ("path", !bare),
-            ];
-            let given: Vec<&str> = found.iter().filter(|(_, given)| *given).map(|(name, _)| *name).collect();
-            let found = if given.is_empty() { "neither ends nor a path".to_owned() } else { given.join(" and ") };
-            return Err(FieldError::new(
-                field("first"),
-                found,
-                "first, with second or second_free, or a path instead of both",
-            ));
+        let found = if given.is_empty() { "neither ends nor a path".to_owned() } else { given.join(" and ") };
+        let allowed = "first, with one of second, second_free and second_on, or a path instead of both ends";
+        return Err(FieldError::new(field("first"), found, allowed));
+    };
+    let Some(second) = line.second.as_ref().filter(|_| *second == "second") else {
+        if let Some(on) = &line.second_on {
+            branches::check(at.scenario, name, line, on)?;
         }
+        let first = end(at.scenario, at.model, &field("first"), first)?;
+        return Ok(first.map(LaidLine::Free));
     };
     if first.body == second.body {
         return Err(FieldError::new(field("second.body"), &second.body, "another body than that of the first end"));
@@ -241,25 +272,24 @@ pub fn begin<S: Quantity>(setup: &mut Setup<S>) -> Result<(), FieldError> {
     links.update(model, q, v);
     let at = Context::at_rest(world, model, &links, (q, v));
     for line in of_kind_mut::<S, DynamicLine<S>>(elements) {
-        let of = format!("forces.{}.line", line.name);
+        let of = format!("forces.{}.line", line.name());
         if let Some(path) = line.begin_supply(&at) {
             check_path(path, &at, &of)?;
         }
-        let rest = line.clone().at_rest(&at);
-        check_rest(line, &rest, &of)?;
+        line.clone().at_rest(&at).iter().try_for_each(check_rest)?;
     }
     Ok(())
 }
 
-fn check_rest<S: Quantity>(line: &DynamicLine<S>, rest: &RestingLine<S>, of: &str) -> Result<(), FieldError> {
+fn check_rest<S: Quantity>(rest: &RestingLine<S>) -> Result<(), FieldError> {
+    let of = format!("forces.{}.line", rest.name);
     if rest.strain.all(f64::is_nan) {
         let allowed = "a shape that the search finds: check lengths, masses, buoys and the places of the ends";
         return Err(FieldError::new(format!("{of}.sections"), "no shape at rest", allowed));
     }
-    let held = line.held_nodes().zip(line.end_fields()).zip(rest.ends);
-    for ((_, which), end) in held {
-        let Some(ground) = line.ground else { continue };
-        let under = ground.under(end);
+    for (which, place) in &rest.ends {
+        let Some(ground) = &rest.ground else { continue };
+        let under = ground.under(*place);
         if !(under / ground.depth).all(|share| share <= ON_SEABED) {
             let found = format!("an end that starts {under} m below the seabed");
             return Err(FieldError::new(format!("{of}.{which}"), found, "an end above the seabed, or no seabed"));
@@ -268,12 +298,8 @@ fn check_rest<S: Quantity>(line: &DynamicLine<S>, rest: &RestingLine<S>, of: &st
     if rest.strain.all(|strain| strain <= LARGEST_STRAIN) {
         return Ok(());
     }
-    let found = format!(
-        "{} m between ends {:.1} m apart, a strain of {:.3}",
-        line.unstretched_length(),
-        (rest.ends[1] - rest.ends[0]).norm(),
-        rest.strain
-    );
+    let RestingLine { unstretched_length, distance, strain, .. } = rest;
+    let found = format!("{unstretched_length} m between ends {distance:.1} m apart, a strain of {strain:.3}");
     let allowed = format!("a strain of {LARGEST_STRAIN} at most: check lengths, masses and stiffness");
     Err(FieldError::new(format!("{of}.sections.0.unstretched_length_m"), found, allowed))
 }
