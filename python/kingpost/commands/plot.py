@@ -24,7 +24,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     command.add_argument(
         "--load-chart", nargs="*", metavar="ROPE",
-        help="hook load over radius on the load chart of a crane, by its rope (default: all), not over time",
+        help="hook load over radius on the load chart of a crane, by its hoist (default: all), not over time",
     )  # fmt: skip
     command.add_argument(
         "--after-s", type=float, metavar="T",

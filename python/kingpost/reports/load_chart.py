@@ -29,17 +29,17 @@ MOST_CHARTS = 6
 
 
 def cranes_with_chart(run: xarray.Dataset) -> dict[str, Mapping[str, Any]]:
-    """Load charts of a run's scenario, by the names of their ropes, which the results have too."""
+    """Load charts of a run's scenario, by the names of their hoists, which the results have too."""
     columns = of_time(run)
     found = {}
     for name, force in (scenario_of(run).get("forces") or {}).items():
-        chart = force.get("rope", {}).get("load_chart") if isinstance(force, dict) else None
+        chart = next((fields["load_chart"] for fields in force.values() if fields.get("load_chart")), None)
         if chart and f"{name}.load_radius" in columns and f"{name}.hook_load" in columns:
             found[name] = chart
     return found
 
 
-def write_load_chart(run: xarray.Dataset, path: str | Path, ropes: Sequence[str] = ()) -> Path:
+def write_load_chart(run: xarray.Dataset, path: str | Path, hoists: Sequence[str] = ()) -> Path:
     """Write a picture of `load_chart_figure`; the file's ending decides the format: ``.png``, ``.svg`` or
     ``.pdf``.
 
@@ -50,11 +50,11 @@ def write_load_chart(run: xarray.Dataset, path: str | Path, ropes: Sequence[str]
     """
     path = output.check(path, ENDINGS)
     with output.whole(path) as beside:
-        load_chart_figure(run, ropes).savefig(beside, dpi=120)
+        load_chart_figure(run, hoists).savefig(beside, dpi=120)
     return path
 
 
-def load_chart_figure(run: xarray.Dataset, ropes: Sequence[str] = ()) -> Figure:
+def load_chart_figure(run: xarray.Dataset, hoists: Sequence[str] = ()) -> Figure:
     """Draw the rated load of cranes over the radius, and the path of the hook load of a run on it, with a
     colour for each step of the operation. The largest utilisation is marked with its time.
 
@@ -62,8 +62,8 @@ def load_chart_figure(run: xarray.Dataset, ropes: Sequence[str] = ()) -> Figure:
     ----------
     run
         Data set of one `run`, or of a file that it wrote.
-    ropes
-        Names of ropes with a load chart; default: all, the first six.
+    hoists
+        Names of hoists with a load chart; default: all, the first six.
 
     Raises
     ------
@@ -75,11 +75,11 @@ def load_chart_figure(run: xarray.Dataset, ropes: Sequence[str] = ()) -> Figure:
     if "run" in run.sizes:
         raise KingpostError(f"--load-chart: found {run.sizes['run']} runs, allowed: one run")
     charts = cranes_with_chart(run)
-    for name in ropes or [""][len(charts) :]:
+    for name in hoists or [""][len(charts) :]:
         if name not in charts:
             known = ", ".join(charts) or "a run whose scenario has a load_chart"
             raise KingpostError(f"--load-chart: found {name or 'no chart'}, allowed: {known}")
-    names = (list(ropes) or list(charts))[:MOST_CHARTS]
+    names = (list(hoists) or list(charts))[:MOST_CHARTS]
     drawn = Figure(figsize=(WIDTH_IN, HEIGHT_IN * len(names)), layout="constrained")
     for axes, name in zip(drawn.subplots(len(names), 1, squeeze=False)[:, 0], names, strict=True):
         _chart(axes, charts[name])
@@ -99,25 +99,25 @@ def _chart(axes: Axes, chart: Mapping[str, Any]) -> None:
     axes.fill_between(radii_m, rated_t, 1.1 * rated_t.max(), color="0.9", lw=0, zorder=0)
 
 
-def _path(axes: Axes, run: xarray.Dataset, rope: str) -> None:
+def _path(axes: Axes, run: xarray.Dataset, hoist: str) -> None:
     """Path of the hook load, a colour for each step with a circle at its beginning, and the largest
     utilisation."""
     time_s = run["time"].values
-    radius_m, load_t = _values(run, rope, "load_radius"), _tonnes(run, rope, "hook_load")
+    radius_m, load_t = _values(run, hoist, "load_radius"), _tonnes(run, hoist, "hook_load")
     for name, rows in _steps(run):
         # A step's path leads to the first row of the next step.
         along = np.append(rows, min(rows[-1] + 1, len(time_s) - 1))
         (line,) = axes.plot(radius_m[along], load_t[along], lw=1, alpha=0.85, label=name)
         axes.plot(radius_m[rows[0]], load_t[rows[0]], "o", ms=5, color=line.get_color(), mec="black", mew=0.5)
-    share = load_t / _tonnes(run, rope, "rated_load")
+    share = load_t / _tonnes(run, hoist, "rated_load")
     if np.isfinite(share).any():
         at = int(np.nanargmax(share))
         label = f"largest utilisation {share[at]:.2f}, at {time_s[at]:.1f} s"
         axes.plot(radius_m[at], load_t[at], "r*", ms=11, mec="black", mew=0.5, ls="", label=label)
 
 
-def _tonnes(run: xarray.Dataset, rope: str, variable: str) -> NDArray[np.float64]:
-    return _values(run, rope, variable) / engineering("kg")[1]
+def _tonnes(run: xarray.Dataset, hoist: str, variable: str) -> NDArray[np.float64]:
+    return _values(run, hoist, variable) / engineering("kg")[1]
 
 
 def _steps(run: xarray.Dataset) -> list[tuple[str, NDArray[np.intp]]]:
@@ -130,6 +130,6 @@ def _steps(run: xarray.Dataset) -> list[tuple[str, NDArray[np.intp]]]:
     return [(name, rows) for name, rows in found if len(rows)]
 
 
-def _values(run: xarray.Dataset, rope: str, variable: str) -> NDArray[np.float64]:
-    values: NDArray[np.float64] = of_time(run)[f"{rope}.{variable}"].of(run).values
+def _values(run: xarray.Dataset, hoist: str, variable: str) -> NDArray[np.float64]:
+    values: NDArray[np.float64] = of_time(run)[f"{hoist}.{variable}"].of(run).values
     return values

@@ -52,6 +52,8 @@ fn a_text_of_no_form_is_known() {
         "PolicyRead.column",
         "AlsoRead.column",
         "ColumnRange.column",
+        "ColumnRange.above_column",
+        "ColumnRange.below_column",
         "Limit.column",
     ]);
     let texts: BTreeSet<String> = properties(&json_schema())

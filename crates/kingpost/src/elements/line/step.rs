@@ -149,6 +149,7 @@ impl<S: Scalar> LineStep<S> {
         }
         descent.begin_again(open);
         if descent.has_arrived() {
+            self.differentiate(strands);
             return Ok(());
         }
         let shortest = shortest(strands);
@@ -174,15 +175,25 @@ impl<S: Scalar> LineStep<S> {
             let nodes = spans.iter_mut().map(|span| &mut span.next);
             descent.improve(equations, nodes, [enough, longest], may_arrive);
             if descent.has_arrived() {
-                if S::HAS_DERIVATIVES {
-                    write::<S, true>(equations, spans, strands);
-                    equations.factor();
-                    descent.differentiate(equations, spans.iter_mut().map(|span| &mut span.next));
-                }
+                self.differentiate(strands);
                 return Ok(());
             }
         }
         Err(descent.size().value())
+    }
+
+    /// Completes the derivatives of positions that have arrived. The matrix of the values stays: the next point begins as it does
+    /// without derivatives.
+    fn differentiate(&mut self, strands: &[Strand<S>]) {
+        if !S::HAS_DERIVATIVES {
+            return;
+        }
+        let Self { spans, equations, descent, .. } = self;
+        let kept = equations.clone();
+        write::<S, true>(equations, spans, strands);
+        equations.factor();
+        descent.differentiate(equations, spans.iter_mut().map(|span| &mut span.next));
+        *equations = kept;
     }
 
     /// Returns the energy of lines over the interval to the last point: the ends on bodies get what their energy loses, without

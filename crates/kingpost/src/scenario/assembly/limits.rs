@@ -40,7 +40,7 @@ fn steps<S: Quantity>(
         numbers.extend(known.iter().zip(1_u32..).filter(|(step, _)| step.name == *name).map(|(_, n)| f64::from(n)));
         // A last step that waits for nothing has ended as it begins: the rest of the run belongs to it.
         let holds = known.last().is_some_and(|last| last.name == *name && last.set.is_empty() && last.until.is_none());
-        numbers.extend(holds.then(|| known.len() as f64 + 1.0));
+        numbers.extend(holds.then_some(known.len() as f64 + 1.0));
         if numbers.len() == before {
             let known: Vec<&str> = known.iter().map(|step| step.name.as_str()).collect();
             let none = || "a scenario with an operation, which has steps".to_owned();
