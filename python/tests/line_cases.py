@@ -73,9 +73,13 @@ def hanging(
 
 def node_states(elements: int) -> tuple[slice, slice]:
     """The states that are positions and velocities of the nodes between the ends of the only line. Its states
-    are the last ones; behind them are two energies and two velocities of its ends."""
-    nodes = 2 * elements - 1
-    return slice(-6 * nodes - 8, -3 * nodes - 8), slice(-3 * nodes - 8, -8)
+    are the last ones; behind them are two energies, velocities of its two ends and impulses owed to them."""
+    nodes, memory = 2 * elements - 1, 14
+    return slice(-6 * nodes - memory, -3 * nodes - memory), slice(-3 * nodes - memory, -memory)
+
+
+OWED = slice(-6, None)
+"""The states that are the impulses owed to the ends of the only line."""
 
 
 def set_velocity(simulation: Simulation, elements: int, velocity_m_s: list[float]) -> None:

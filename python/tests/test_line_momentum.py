@@ -11,12 +11,13 @@ import kingpost
 import numpy as np
 import pytest
 from kingpost.verify.models import GRAVITY, G, free_body, scenario, settings
-from line_cases import between, node_states, section
+from line_cases import OWED, between, node_states, section
 from scipy.interpolate import CubicSpline
 
 HULL_KG, LOAD_KG, DRUM_KG, WIRE_KG_M = 50e3, 20e3, 5e3, 30.0
 LENGTH_M, RADIUS_M, SPEED_M_S = 30.0, 0.5, 2.0
 TIP_M, EYE_M, TOP_M, HOOK_M = [3.0, 0.0, -2.0], [0.0, 0.0, 1.0], [0.0, 0.0, 2.0], [0.0, 0.0, 22.0]
+WINCH_M = [-2.0, 0.0, -2.0]
 STRETCHED_M = LENGTH_M * (1 + (LOAD_KG + WIRE_KG_M * LENGTH_M / 2) * G / 2e7)
 RK4: dict[str, Any] = {"integrator": "rk4"}
 EXACT_RATES: dict[str, Any] = {
@@ -33,7 +34,13 @@ def bodies(load_at_m: list[float], hull: dict[str, Any], load_m_s: list[float]) 
     load = free_body([2e4, 3e4, 4e4], LOAD_KG, position_m=load_at_m, velocity_m_s=load_m_s)
     return {
         "hull": free_body([3e5, 5e5, 6e5], HULL_KG, **hull)
-        | {"points": {"tip": {"position_m": TIP_M}, "top": {"position_m": TOP_M}}},
+        | {
+            "points": {
+                "tip": {"position_m": TIP_M},
+                "top": {"position_m": TOP_M},
+                "winch": {"position_m": WINCH_M},
+            }
+        },
         "load": load | {"points": {"eye": {"position_m": EYE_M}}},
     }
 
@@ -63,7 +70,7 @@ def lowered(parts: Parts, sheave: bool, tau_s: float, **simulation: Any) -> king
         "parent": "hull",
         "mass_kg": DRUM_KG,
         "shape": {"cylinder": {"radius_m": RADIUS_M, "length_m": 1.0, "axis": "y"}},
-        "joint": {"revolute": winch | {"position_m": [-2.0, 0, TIP_M[2]] if sheave else TIP_M}},
+        "joint": {"revolute": winch | {"position_m": WINCH_M if sheave else TIP_M}},
     }
     over = {"sheave": {"body": "hull", "position_m": TIP_M, "radius_m": 0.3, "axis": [0, 1, 0]}}
     path = [
@@ -86,23 +93,27 @@ def lowered(parts: Parts, sheave: bool, tau_s: float, **simulation: Any) -> king
 
 @dataclass
 class Recorded:
-    """A run: its columns over time, and mass, position and velocity of the material at the nodes."""
+    """A run: its columns over time; mass, position and velocity of the material at the nodes, and of what
+    left the drum, as a negative mass there; and the impulses that the line owes to its ends."""
 
     t: np.ndarray
     columns: dict[str, np.ndarray]
     mass: np.ndarray
     position: np.ndarray
     velocity: np.ndarray
+    owed: np.ndarray
 
     def integral(self, rates: np.ndarray) -> np.ndarray:
         """Integral from the start, by a cubic spline: of fourth order in the step of the rows."""
         return CubicSpline(self.t, rates).antiderivative()(self.t)
 
     def momenta(self) -> tuple[np.ndarray, np.ndarray]:
-        """Linear momentum, and angular momentum about the origin, of bodies and line."""
+        """Linear momentum, and angular momentum about the origin, of bodies and line, with what is owed."""
         moved = self.mass[..., None] * self.velocity
-        linear = self.columns["linear_momentum"] + moved.sum(1)
-        return linear, self.columns["angular_momentum"] + np.cross(self.position, moved).sum(1)
+        linear = self.columns["linear_momentum"] + moved.sum(1) + self.owed.sum(1)
+        ends = [self.columns[f"point_position.{point}"] for point in ("hull.tip", "load.eye")]
+        of_owed = np.cross(np.stack(ends, axis=1), self.owed).sum(1)
+        return linear, self.columns["angular_momentum"] + np.cross(self.position, moved).sum(1) + of_owed
 
     def in_play(self) -> tuple[float, float]:
         """The largest sums of sizes: momenta of the parts, and their moments about the vertical."""
@@ -136,6 +147,7 @@ COLUMNS += [
     f"point_{what}.{point}" for what in ("position", "velocity") for point in ("hull.tip", "load.eye")
 ]
 COLUMNS_PAID = ["point_position.hull.top", "line_pay_out_rate.line", "line_tension.spring"]
+COLUMNS_PAID += ["point_position.hull.winch", "point_velocity.hull.winch"]
 
 
 def columns(run: kingpost.Simulation, name: str) -> slice:
@@ -157,12 +169,13 @@ def recorded(case: str, parts: Parts, step_s: float, exact: bool, tau_s: float =
     )
     at = {name: columns(run, name) for name in [*COLUMNS, *(COLUMNS_PAID if paid else [])]}
     moving = node_states(sum(elements for _, elements in parts))
-    rows, states, times = [], [], []
+    rows, states, owed, times = [], [], [], []
     for k in range(round(8.0 / step_s) + 1):
         if k:
             run.step(1)
         rows.append(run.row())
         states.append([run.state.s[part].reshape(-1, 3) for part in moving])
+        owed.append(run.state.s[OWED].reshape(2, 3))
         times.append(run.time_s)
     table = np.array(rows)
     found = {name: np.squeeze(table[:, where]) for name, where in at.items()}
@@ -179,30 +192,33 @@ def recorded(case: str, parts: Parts, step_s: float, exact: bool, tau_s: float =
     growth = shares(parts, paid)
     paid_out = found["line_length.line"] - sum(length_m for length_m, _ in parts)
     length = growth.sum(0) + np.outer(paid_out / parts[0][0], growth[0])
-    return Recorded(np.array(times), found, WIRE_KG_M * length, position, velocity)
+    if paid:
+        leaves = "tip" if case == "drum" else "winch"
+        length = np.concatenate([length, -paid_out[:, None]], axis=1)
+        position, velocity = (
+            np.concatenate([nodes, found[f"point_{what}.hull.{leaves}"][:, None]], axis=1)
+            for what, nodes in (("position", position), ("velocity", velocity))
+        )
+    return Recorded(np.array(times), found, WIRE_KG_M * length, position, velocity, np.array(owed))
 
 
 def residuals(run: Recorded) -> tuple[np.ndarray, np.ndarray]:
-    """What the impulses leave of linear momentum, and of angular momentum about the vertical axis through the
-    hook, over what is in play.
+    """Impulses from outside less the changes of linear momentum, and of angular momentum about the vertical
+    axis through the hook, over what is in play.
 
-    The impulses are those of gravity on bodies and wire, of the spring in the world, and of the wire that
-    comes in: m L' v with the velocity v of the place where it leaves the hull. Its weight is then no longer
-    on the drum, its inertia still is."""
+    The impulses are those of gravity and of the spring in the world. Wire that leaves the drum is at the tip
+    at once, and takes its momentum m L' v with it: a moment without a force, (x_tip - x) x m L' v."""
     linear, angular = run.momenta()
     whole, about_axis = run.in_play()
     left, turned = linear - linear[0], (angular - angular[0])[:, 2]
     if "line_pay_out_rate.line" in run.columns:
-        comes_in = (
-            WIRE_KG_M
-            * run.columns["line_pay_out_rate.line"][:, None]
-            * run.columns["point_velocity.hull.tip"]
-        )
+        leaves = WIRE_KG_M * run.columns["line_pay_out_rate.line"][:, None] * run.velocity[:, -1]
+        jumps = run.columns["point_position.hull.tip"] - run.position[:, -1]
         up = np.array(HOOK_M) - run.columns["point_position.hull.top"]
         held = up * (run.columns["line_tension.spring"] / np.linalg.norm(up, axis=1))[:, None]
         weight = [0, 0, -(HULL_KG + LOAD_KG + DRUM_KG + WIRE_KG_M * LENGTH_M) * G]
-        left = left - run.integral(comes_in + held + weight)
-        turned = turned - run.integral(np.cross(run.columns["point_position.hull.tip"], comes_in)[:, 2])
+        left = left - run.integral(held + weight)
+        turned = turned - run.integral(np.cross(jumps, leaves)[:, 2])
     return left / whole, turned / about_axis
 
 
@@ -259,8 +275,9 @@ def test_momentum_closes_while_wire_is_paid_out_under_tension(case):
     linear, angular = residuals(run)
     # The integral of the spring's force by rows of 20 ms, 4e-8; with rows of 10 ms it is 4e-9.
     assert worst(linear) < 1e-7
-    # The spring has no moment about the axis. The moment of the wire that comes in, by rows of 20 ms: 1e-8.
-    assert worst(angular - by_elements(run, TWO_SECTIONS)) < 2e-8
+    # The spring has no moment about the axis. The moment of the wire that jumps, by rows of 20 ms: 2e-8; 5e-9
+    # with rows of 10 ms.
+    assert worst(angular - by_elements(run, TWO_SECTIONS)) < 4e-8
 
 
 def test_the_moment_of_paying_out_closes_with_third_order_in_the_elements():
@@ -274,22 +291,32 @@ def test_the_moment_of_paying_out_closes_with_third_order_in_the_elements():
     assert fine < 1e-6
 
 
-@pytest.mark.parametrize(("case", "parts"), [("flying", ((LENGTH_M, 3),)), ("drum", TWO_SECTIONS)])
-def test_momentum_of_the_coupled_scheme_closes_with_second_order_in_the_step(case, parts):
-    """Source: the order of the scheme. The bodies get the impulse of the tension by the stages of Kutta's
-    scheme, the nodes give the mean of the midpoint rule. Without damping: that of the shortest waves is too
-    stiff for the order at these steps."""
-    found = [
-        worst(residuals(recorded(case, parts, step_s, False, 0.0))[0]) for step_s in (0.05, 0.025, 0.0125)
-    ]
-    # A factor of 4; at 50 ms the load bounces on its wire by 0.3 rad per step.
-    assert all(fine < coarse / 3 for coarse, fine in itertools.pairwise(found)), found
-    assert found[-1] < 5e-5
-
-
-@pytest.mark.xfail(
-    strict=True, reason="wire that grows on the load takes its velocity without a force for it"
+@pytest.mark.parametrize(
+    ("case", "parts"), [("flying", ((LENGTH_M, 3),)), ("drum", TWO_SECTIONS), ("sheave", ONE_SECTION)]
 )
+def test_momentum_of_the_coupled_scheme_closes_with_the_impulse_owed(case, parts):
+    """Source: Newton. The bodies get the impulse of the tension by the stages of Kutta's scheme; what the
+    nodes give more by the midpoint rule is owed until the next step."""
+    for step_s, tau_s in itertools.product((0.05, 0.0125), (0.0, 0.02)):
+        run = recorded(case, parts, step_s, False, tau_s)
+        # Free: 3e-9, as with exact rates. Else the impulse of the spring in the world, which the scheme
+        # takes by its stages and the test by rows: 8e-5 at 50 ms, 2e-6 at 12.5 ms, 3e-7 at 6 ms.
+        tolerance = 1e-8 if case == "flying" else 1e-4 * (step_s / 0.05) ** 2.5
+        assert worst(residuals(run)[0]) < tolerance, (step_s, tau_s)
+
+
+@pytest.mark.parametrize("tau_s", [0.0, 0.02])
+def test_the_impulse_owed_falls_with_the_step(tau_s):
+    """Source: the order of the scheme, for an impulse that is returned a step later: the difference of the
+    mean tension from that of the stages, times the step. With damping the stages have more of the mean."""
+    runs = [recorded("drum", TWO_SECTIONS, step_s, False, tau_s) for step_s in (0.05, 0.025, 0.0125)]
+    found = [worst(run.owed.sum(1)) / run.in_play()[0] for run in runs]
+    # Measured factors: 3.2 and 4.9 without damping, 2.1 and 2.0 with it: at 50 ms the load bounces by 0.3 rad
+    # per step, and tau is shorter than the step.
+    assert all(fine < coarse / 1.8 for coarse, fine in itertools.pairwise(found)), found
+    assert found[-1] < 6e-5
+
+
 def test_momentum_closes_with_a_wire_of_one_section():
     """Source: Newton. A sixth of the growth of the last element is on the load."""
     linear, _ = residuals(recorded("sheave", ONE_SECTION, 0.02, True))

@@ -5339,8 +5339,9 @@ export interface DynamicLine {
   second_direction?: [number, number, number] | null;
   /**
    * Instead of both ends, the places of a path as of a `rope`, with one fall: the line is its last leg, from the last drum or
-   * sheave, taken as a point, to the last point. Up to there it does not stretch and has no mass; the weight of what is paid
-   * out is taken from the first place.
+   * sheave, taken as a point, to the last point. Up to there it does not stretch and has no mass; the mass of what is paid
+   * out is taken from the first place, whose body has the mass of the wire there at the start. The moment of inertia of a drum
+   * stays.
    */
   path?: RopeStation[];
   /**

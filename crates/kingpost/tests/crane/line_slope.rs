@@ -54,8 +54,9 @@ fn a_line_on_a_slope_leaves_it_as_a_catenary() {
     assert!(errors[0] < 2e-2 && errors[1] < 2e-3, "{errors:?}");
 }
 
-/// A carriage on rails that pulls 1,000 kg of chain up a slope, which falls towards x, with 0.5 m/s.
-fn carriage(friction: f64, slope_deg: f64) -> String {
+/// A carriage of 500 kg on rails on a slope of 20 degrees, which falls towards x, with these fields of its joint, and 1,000 kg of
+/// chain behind it.
+fn carriage(friction: f64, slope_deg: f64, joint: &str) -> String {
     format!(
         "version: 1
 title: A chain on a slope
@@ -64,7 +65,7 @@ bodies:
   carriage:
     mass_kg: 500
     shape: {{point: {{}}}}
-    joint: {{prismatic: {{position_m: [0, 0, -50], axis: [-{cos}, 0, {up}], mode: {{prescribed: {{speed_m_s: 0.5, history: list, list: {{time_s: [0, 2, 5], share: [0, 1, 1]}}}}}}}}}}
+    joint: {{prismatic: {{position_m: [0, 0, -50], axis: [-{cos}, 0, {up}], {joint}}}}}
 forces:
   gravity: {{gravity: {{}}}}
   chain:
@@ -79,10 +80,14 @@ forces:
     )
 }
 
+/// Pulls the chain up with 0.5 m/s.
+const PULLS: &str = "mode: {prescribed: {speed_m_s: 0.5, history: list, list: {time_s: [0, 2, 5], share: [0, 1, 1]}}}";
+
 #[test]
 fn a_chain_is_pulled_up_a_slope_against_its_weight_and_friction() {
     for friction in [0.0, 0.3, 1.0] {
-        let setup = read(&carriage(friction, 20.0), "chain.yaml", &[]).expect("it reads").setup().expect("it builds");
+        let setup =
+            read(&carriage(friction, 20.0, PULLS), "chain.yaml", &[]).expect("it reads").setup().expect("it builds");
         let mut run = Simulation::new(setup);
         run.step(500).expect("it does not diverge");
         let tension = crate::common::values(&mut run, "line_tension")[0];
@@ -95,8 +100,30 @@ fn a_chain_is_pulled_up_a_slope_against_its_weight_and_friction() {
 }
 
 #[test]
+fn a_carriage_ahead_of_a_slack_chain_slides_at_its_terminal_speed() {
+    let setup = read(&carriage(0.3, 20.0, "damping_N_s_m: 5000"), "chain.yaml", &[])
+        .expect("it reads")
+        .setup()
+        .expect("it builds");
+    let mut run = Simulation::new(setup);
+    run.step(1000).expect("it does not diverge");
+    let speeds: Vec<f64> = (0..200)
+        .map(|_| {
+            run.step(1).expect("it does not diverge");
+            run.state().v[0]
+        })
+        .collect();
+    let mean = speeds.iter().sum::<f64>() / 200.0;
+    // c v = (m + M) g sin(slope) - friction M g cos(slope), with the length on the ground: the node at the carriage is not.
+    let lies = 1000.0 * (1.0 - 1.0 / 24.0);
+    let expected = -G * (1500.0 * SLOPE.sin() - 0.3 * lies * SLOPE.cos()) / 5000.0;
+    // At 0.48 m/s friction is less than its limit by 1/2 (0.01 / 0.48)^2.
+    assert!((mean / expected - 1.0).abs() < 0.01, "{mean} {expected}");
+}
+
+#[test]
 fn rejects_a_seabed_that_is_a_wall() {
-    let refused = read(&carriage(0.3, 70.0), "chain.yaml", &[]).expect_err("too steep");
+    let refused = read(&carriage(0.3, 70.0, PULLS), "chain.yaml", &[]).expect_err("too steep");
     assert_eq!(refused.field, "forces.chain.line.seabed.slope_rad");
     assert!(refused.to_string().contains("60 degrees"), "{refused}");
 }

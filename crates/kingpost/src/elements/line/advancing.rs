@@ -1,11 +1,13 @@
 //! A line in the stages of an explicit scheme.
 
+use super::bend::LineEnds;
 use super::step::{Booked, CONVERGED, MOST_ITERATIONS};
-use super::strand::shortest;
+use super::strand::{Strand, shortest};
 use super::supply::Supplied;
 use super::{DynamicLine, ENERGIES, ends_by_rule};
 use crate::elements::{Advancing, Context, NotAdvanced};
 use crate::scalar::Scalar;
+use crate::spatial::Vector3;
 
 impl<S: Scalar> DynamicLine<S> {
     /// Computes the forces on the nodes at the ends on bodies at a stage, to which the lines were advanced; the water is that of the
@@ -17,10 +19,16 @@ impl<S: Scalar> DynamicLine<S> {
         let supplied = self.put_nodes(at, at.states);
         for (k, strand) in self.strands.iter_mut().enumerate() {
             let nodes = [0, strand.last()];
-            let by_rule = nodes.map(|node| self.step.has_advanced().then(|| self.step.velocity(k, node)));
-            strand.nodes.stretch_ends(&strand.mesh, by_rule);
+            let by_rule = nodes.map(|node| self.step.velocity(k, node));
+            strand.nodes.stretch_ends(&strand.mesh, |point| self.step.tension(k, point), by_rule);
+            strand.pulls = strand.nodes.pull_ends(strand.returned);
+            for (pull, _) in strand.pulls.iter_mut().zip(&strand.ends).filter(|(_, end)| end.is_none()) {
+                *pull = Vector3::zero();
+            }
         }
         self.book_ends(supplied.is_some(), at);
+        let Strand { pulls, nodes, .. } = &mut self.strands[0];
+        pulls[0] -= nodes.feed().taken_up;
         for (k, strand) in self.strands.iter_mut().enumerate() {
             for (node, _) in [0, strand.last()].into_iter().zip(strand.ends).filter(|(_, end)| end.is_some()) {
                 let water = self.step.water_at(k, node, at.clock.time_s);
@@ -31,12 +39,36 @@ impl<S: Scalar> DynamicLine<S> {
     }
 }
 
+impl<S: Scalar> DynamicLine<S> {
+    /// Advances the lines to the middle of the step, with the ends where their present velocities take them: the first stage has
+    /// the mean damping of this interval. An iteration that does not converge is that of the next stage, which reports it.
+    fn foresee(&mut self, at: &Context<'_, S>) {
+        let half = S::constant(at.clock.middle_s - at.clock.time_s);
+        let ends = self.strands.iter().map(|strand| {
+            let LineEnds { places, directions } = strand.ends_now(at);
+            let velocities = strand.end_velocities(at);
+            LineEnds { places: [0, 1].map(|end| places[end] + velocities[end] * half), directions }
+        });
+        if self.step.advance(&self.strands, ends, at.clock.middle_s).is_ok() {
+            self.step.pull(&self.strands, true);
+        }
+    }
+}
+
 impl<S: Scalar> Advancing<S> for DynamicLine<S> {
     fn begin_step(&mut self, at: &Context<'_, S>, states: &[S]) {
         let rate = self.put_nodes(at, states).map_or(S::ZERO, |supplied| supplied.rate);
         let energies = self.motions();
         self.at_base = [states[energies], states[energies + 1]];
+        let per_s = S::constant(0.5 / (at.clock.middle_s - at.clock.time_s));
+        let mut owed = states[energies + self.owed()..].chunks_exact(3);
+        for (k, strand) in self.strands.iter_mut().enumerate() {
+            for (end, owed) in strand.returned.iter_mut().take(ends_by_rule(k)).zip(&mut owed) {
+                *end = Vector3::from_slice(owed) * per_s;
+            }
+        }
         self.step.begin(&mut self.strands, rate, at);
+        self.foresee(at);
     }
 
     fn advance(&mut self, at: &Context<'_, S>, states: &mut [S]) -> Result<(), NotAdvanced> {
@@ -74,6 +106,12 @@ impl<S: Scalar> Advancing<S> for DynamicLine<S> {
         for (strand, of) in self.strands.iter().enumerate() {
             for (node, lag) in [0, of.last()].into_iter().take(ends_by_rule(strand)).zip(&mut by_rule) {
                 (self.step.velocity(strand, node) - of.nodes.node(node).velocity).write_to(lag);
+            }
+        }
+        let mut owed = states[motions + self.owed()..].chunks_exact_mut(3);
+        for strand in 0..self.strands.len() {
+            for (end, owed) in (0..ends_by_rule(strand)).zip(&mut owed) {
+                (Vector3::from_slice(owed) + self.step.impulse(strand, end)).write_to(owed);
             }
         }
         [dissipated + lost_now, outside]

@@ -14,13 +14,15 @@ pub struct LineFeed<S> {
     pub(super) rate: S,
     /// Velocity of the body at the first end, world, m/s.
     pub(super) tip: Vector3<S>,
-    /// Q of strain and of the nodes between the ends, N; without the weight of the last node.
+    /// Q of strain and of the nodes between the ends, N.
     pub force: S,
-    /// Q of the weight of the last node, N.
+    /// Q of the last node, if it grows, N.
     pub of_end: S,
     /// Thrust on the first end, world, N.
     pub thrust: Vector3<S>,
-    /// Kinetic energy of the material that comes in with the velocity of the first end, W.
+    /// Momentum that the nodes between the ends take up as material comes in and moves through them, world, N.
+    pub taken_up: Vector3<S>,
+    /// Kinetic energy of the material that comes in with the velocity of the first end, without what the last node takes, W.
     pub entering: S,
 }
 
@@ -30,7 +32,7 @@ impl<S: Scalar> LineFeed<S> {
         let zero = Vector3::zero();
         let drifts = vec![zero; 2 * mesh.supplied];
         let [rate, force, of_end, entering] = [S::ZERO; 4];
-        Self { drifts, rate, tip: zero, force, of_end, thrust: zero, entering }
+        Self { drifts, rate, tip: zero, force, of_end, thrust: zero, taken_up: zero, entering }
     }
 
     /// Returns c at a node.

@@ -35,8 +35,9 @@ pub struct DynamicLine<S = f64> {
     /// the last section. Without it, the line turns freely there.
     pub second_direction: Option<Direction<S>>,
     /// Instead of both ends, the places of a path as of a `rope`, with one fall: the line is its last leg, from the last drum or
-    /// sheave, taken as a point, to the last point. Up to there it does not stretch and has no mass; the weight of what is paid
-    /// out is taken from the first place.
+    /// sheave, taken as a point, to the last point. Up to there it does not stretch and has no mass; the mass of what is paid
+    /// out is taken from the first place, whose body has the mass of the wire there at the start. The moment of inertia of a drum
+    /// stays.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub path: Vec<RopeStation<S>>,
     /// Its sections, from the first end. With a path the length of the first one is that at the start.

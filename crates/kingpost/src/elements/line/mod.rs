@@ -42,8 +42,8 @@ pub use supply::LineSupply;
 use super::lines::{declaration_of_line, pull_at, shares};
 use super::ropes::{Drum, RopePath};
 use super::{
-    Advancing, AnyWatcher, Context, Crossing, Declaration, DrawnLine, DrawnSeabed, Element, ElementState,
-    EvaluationMode, Event, Output, RandomDrag, StateDeclaration, Support,
+    Advancing, AnyWatcher, Context, Declaration, DrawnLine, DrawnSeabed, Element, ElementState, EvaluationMode, Output,
+    RandomDrag, StateDeclaration, Support,
 };
 use crate::dynamics::Loads;
 use crate::scalar::Scalar;
@@ -54,7 +54,7 @@ use slack::Slack;
 use statics::LineStatics;
 use step::LineStep;
 use strand::Strand;
-use supply::Supplied;
+use supply::{EVENTS, Supplied};
 
 /// Lines with inertia that are fastened to each other: a line between two points on bodies or in the world, or from one of them to
 /// a free end, and its branches, whose second ends are fastened to nodes of it or of each other.
@@ -99,21 +99,6 @@ const LEFT_OUT: &str = "the response has this line at rest between its ends at e
 const LEFT_OUT_OF_ALL: &str = "the response has this line and those that are fastened to it at rest between their ends at every \
      instant, and leaves out their inertia, the waves on them and their drag, which is zero at rest; in a run the drag damps the \
      lines, most near their own periods, and the ship on them";
-
-/// Events of a line that is paid out, in the order of [`Supplied`].
-const EVENTS: [Event; 3] = [
-    Event { code: "hauled_in_to_end", what: "is hauled in to its end", crossing: Crossing::Falling },
-    Event {
-        code: "paid_out_to_innermost_layer",
-        what: "is paid out to the innermost layer of its drum",
-        crossing: Crossing::Falling,
-    },
-    Event {
-        code: "leaves_valid_path",
-        what: "wraps a sheave or drum beyond the valid angle, or two neighbouring places of its path overlap",
-        crossing: Crossing::Falling,
-    },
-];
 
 impl<S: Scalar> DynamicLine<S> {
     /// Takes the start of a run as the reference of its drum and path. Returns the path to its last end, if it has one.
@@ -249,6 +234,11 @@ impl<S: Scalar> DynamicLine<S> {
         }
     }
 
+    /// Returns the index, behind the motions, of the impulses that the lines owe to their ends.
+    fn owed(&self) -> usize {
+        ENERGIES + 3 * (0..self.strands.len()).map(ends_by_rule).sum::<usize>()
+    }
+
     /// Returns the number of states that are positions and velocities.
     fn motions(&self) -> usize {
         self.strands.iter().map(Strand::motions).sum()
@@ -263,17 +253,20 @@ impl<S: Scalar> Element<S> for DynamicLine<S> {
     fn declare(&self) -> Declaration {
         let energies = ["work_on_ends", "energy_lost_to_scheme"].map(|name| StateDeclaration::memory(name, "J"));
         let mut declared = Declaration::default();
-        let mut by_rule = Vec::new();
+        let (mut by_rule, mut owed) = (Vec::new(), Vec::new());
         for (k, strand) in self.strands.iter().enumerate() {
             let prefix = if k == 0 { String::new() } else { format!("{}.", strand.name) };
             declared.states.extend(strand.declared_motions(&prefix));
             for end in ["first", "second"].into_iter().take(ends_by_rule(k)) {
-                let name = |axis: &str| format!("{prefix}{end}_end_by_rule.{axis}");
-                by_rule.extend(["x", "y", "z"].map(|axis| StateDeclaration::memory(name(axis), "m/s")));
+                for axis in ["x", "y", "z"] {
+                    let name = |what: &str| format!("{prefix}{end}_end_{what}.{axis}");
+                    by_rule.push(StateDeclaration::memory(name("by_rule"), "m/s"));
+                    owed.push(StateDeclaration::memory(name("owed_impulse"), "N s"));
+                }
             }
             self.declare_line(k, &mut declared);
         }
-        declared.states.extend(energies.into_iter().chain(by_rule));
+        declared.states.extend(energies.into_iter().chain(by_rule).chain(owed));
         if self.supply.is_some() {
             declared.events.extend(EVENTS);
         }
@@ -303,10 +296,8 @@ impl<S: Scalar> Element<S> for DynamicLine<S> {
         let supplied = if stepping { self.evaluate_ends(at) } else { self.evaluate(at) };
         let Strand { nodes, mesh, ends, .. } = &self.strands[0];
         if let (Some(supplied), Some(supply), Some(first)) = (&supplied, &self.supply, &ends[0]) {
-            let feed = nodes.feed();
-            supply.draw(supplied, feed, mesh.mass_per_length(), at, loads);
-            pull_at(first, feed.thrust, at, loads);
-            loads.power.outside += feed.entering;
+            let thrust = supply.draw(supplied, nodes.feed(), mesh.mass_per_length(), at, loads);
+            pull_at(first, thrust, at, loads);
         }
         for strand in &self.strands {
             loads.power.dissipated += strand.nodes.dissipated;
@@ -321,6 +312,11 @@ impl<S: Scalar> Element<S> for DynamicLine<S> {
         energies.fill(S::ZERO);
         energies[0] = self.on_ends;
         if at.evaluation == EvaluationMode::Stepping {
+            let mut owed = energies[self.owed()..].chunks_exact_mut(3);
+            for (k, strand) in self.strands.iter().enumerate() {
+                let pulls = strand.pulls.into_iter().take(ends_by_rule(k));
+                pulls.zip(&mut owed).for_each(|(pull, rate)| (-pull).write_to(rate));
+            }
             return motions.fill(S::ZERO);
         }
         for strand in &self.strands {
@@ -353,8 +349,9 @@ impl<S: Scalar> Element<S> for DynamicLine<S> {
     }
 
     fn event_indicators(&mut self, at: &Context<'_, S>, values: &mut [S]) {
-        let Some(now) = self.supply(at) else { return };
-        values.copy_from_slice(&[now.left, now.layers_left, now.range_left]);
+        let mass_per_length = self.strands[0].mesh.mass_per_length();
+        let Some((now, supply)) = self.supply(at).zip(self.supply.as_ref()) else { return };
+        values.copy_from_slice(&supply.indicators(&now, mass_per_length, at));
     }
 
     fn draw(&mut self, at: &Context<'_, S>, points: &mut Vec<S>) {

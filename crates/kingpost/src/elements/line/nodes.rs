@@ -110,7 +110,7 @@ impl<S: Scalar> Nodes<S> {
         self.points.clear();
         (self.dissipated, self.strain) = (S::ZERO, S::ZERO);
         for element in 0..self.nodes.len() / 2 {
-            self.stretch_element(element, mesh);
+            self.stretch_element(element, mesh, |_, whole| whole);
         }
         (self.nodes[0].velocity, self.nodes[last].velocity) = (velocities[0], velocities[1]);
         self.bend(mesh.bends.iter());
@@ -121,18 +121,19 @@ impl<S: Scalar> Nodes<S> {
         self.nodes.iter_mut().zip(found).for_each(|(node, tangent)| node.tangent = *tangent);
     }
 
-    /// Adds the forces of the tension in an element.
-    fn stretch_element(&mut self, element: usize, mesh: &LineMesh<S>) {
+    /// Adds the forces of the tension in an element: at each point this function of its index and its tension.
+    fn stretch_element(&mut self, element: usize, mesh: &LineMesh<S>, pull: impl Fn(usize, S) -> S) {
         let LineMeshElement { length, section } = &mesh.elements[element];
         let half = *length * S::constant(0.5);
         let positions = self.of_element(element, |node| node.position);
         let velocities = self.of_element(element, |node| node.velocity);
-        for xi in [-GAUSS, GAUSS] {
+        for (xi, point) in [-GAUSS, GAUSS].into_iter().zip(2 * element..) {
             let slopes = slopes(xi, *length);
             let found = strained(section, &slopes, &positions, &velocities);
             let ([elastic, whole], [ratio, rate]) = (found.tension, found.ratio);
+            let pull = pull(point, whole);
             for (node, slope) in self.nodes[2 * element..].iter_mut().zip(slopes) {
-                node.force -= found.tangent * (whole * slope * half);
+                node.force -= found.tangent * (pull * slope * half);
             }
             self.dissipated += (whole - elastic) * rate * half;
             self.strain += elastic * (ratio - S::ONE) * half * S::constant(0.5);
@@ -156,21 +157,31 @@ impl<S: Scalar> Nodes<S> {
     }
 
     /// Adds the forces of the tension at the ends alone, in the first and the last element; in all elements if the line is paid
-    /// out. The rate of strain is that of these velocities of the ends, if they are given.
-    pub fn stretch_ends(&mut self, mesh: &LineMesh<S>, by_rule: [Option<Vector3<S>>; 2]) {
+    /// out. The forces are those of this tension at a point; what is drawn from the supply has the rate of strain of these
+    /// velocities of the ends.
+    pub fn stretch_ends(&mut self, mesh: &LineMesh<S>, pull: impl Fn(usize) -> S, by_rule: [Vector3<S>; 2]) {
         self.points.clear();
         let last = self.nodes.len() - 1;
         let velocities = [0, last].map(|end| self.nodes[end].velocity);
         for (end, velocity) in [0, last].into_iter().zip(by_rule) {
-            self.nodes[end].velocity = velocity.unwrap_or(self.nodes[end].velocity);
+            self.nodes[end].velocity = velocity;
         }
         let all = mesh.supplied > 0;
         for element in (0..last / 2).filter(|element| all || *element == 0 || *element == last / 2 - 1) {
-            self.stretch_element(element, mesh);
+            self.stretch_element(element, mesh, |point, _| pull(point));
         }
         self.bend(mesh.bends.iter().filter(|bend| bend.first == 0 || bend.first + 2 == last));
         (self.nodes[0].velocity, self.nodes[last].velocity) = (velocities[0], velocities[1]);
         (self.dissipated, self.outside) = (S::ZERO, S::ZERO);
+    }
+
+    /// Adds these forces to those so far on the ends; returns the sums.
+    pub fn pull_ends(&mut self, forces: [Vector3<S>; 2]) -> [Vector3<S>; 2] {
+        let last = self.nodes.len() - 1;
+        [(0, forces[0]), (last, forces[1])].map(|(end, force)| {
+            self.nodes[end].force += force;
+            self.nodes[end].force
+        })
     }
 
     /// Returns the power of the forces so far, and of the moments, on the ends, W, whose bodies move there with these velocities

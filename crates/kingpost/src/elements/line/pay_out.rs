@@ -18,12 +18,13 @@
 //!
 //! In the limit of short elements it is `T (1 + e) - W_L - mu (g z + w^2 / 2)` at the first end: a part of the tension stretches
 //! what comes out (compare `ropes/mod.rs`). The material leaves the first end with its velocity there plus w, and pushes it with
-//! the thrust `-mu L' w`.
+//! the thrust `-mu L' w`. If the last node grows, its weight and `m_L w^2 / 2` are in Q and its share in the thrust, but its
+//! kinetic energy is that of its body.
 
 use super::feed::{LineFeed, convected, write_drifts};
 use super::ground::LineGround;
 use super::mesh::LineMesh;
-use super::nodes::Nodes;
+use super::nodes::{LineNode, Nodes};
 use super::strain::{gauss, slopes};
 use crate::elements::Context;
 use crate::scalar::Scalar;
@@ -57,8 +58,8 @@ impl<S: Scalar> Nodes<S> {
         convected(mesh, node, |node| self.nodes[node].velocity)
     }
 
-    /// Computes the force on the supply and the thrust, after the line is stretched. Returns their power, W,
-    /// without that of the material that comes in.
+    /// Computes the force on the supply and the thrust, after the line is stretched. Returns their power on the strain and on
+    /// the nodes between the ends, W, without that of the material that comes in.
     pub fn draw_supply(&mut self, mesh: &LineMesh<S>, ground: Option<&LineGround<S>>, at: &Context<'_, S>) -> S {
         let strained = self.drawn_by_strain(mesh);
         let (mut force, mut momentum, mut grown) = (strained, Vector3::zero(), S::ZERO);
@@ -67,7 +68,6 @@ impl<S: Scalar> Nodes<S> {
             let (part, place) = (&mesh.nodes[node], self.nodes[node].position);
             let (mass, growth) = (part.dry_mass(), mesh.mass_per_length() * S::constant(part.growth));
             if node == last {
-                self.feed.of_end = -(growth * at.world.gravity * place[2]);
                 break;
             }
             let drift = self.feed.drift(node);
@@ -84,9 +84,29 @@ impl<S: Scalar> Nodes<S> {
         }
         let LineFeed { rate, tip, .. } = self.feed;
         let thrust = (tip * grown - momentum) * rate;
-        (self.feed.force, self.feed.thrust) = (force, thrust);
-        self.feed.entering = grown * half * tip.norm_squared() * rate;
-        force * rate + thrust.dot(tip) - self.feed.entering
+        let entering = grown * half * tip.norm_squared() * rate;
+        let feed = &mut self.feed;
+        (feed.force, feed.taken_up, feed.thrust, feed.entering) = (force, momentum * rate, thrust, entering);
+        if last == 2 * mesh.supplied {
+            self.grow_end(mesh, ground, at);
+        }
+        force * rate + thrust.dot(tip) - entering
+    }
+
+    /// Adds what grows at the last node, whose kinetic energy is that of its body.
+    fn grow_end(&mut self, mesh: &LineMesh<S>, ground: Option<&LineGround<S>>, at: &Context<'_, S>) {
+        let (half, last) = (S::constant(0.5), self.nodes.len() - 1);
+        let (share, LineNode { position, velocity, .. }) = (S::constant(mesh.nodes[last].growth), self.nodes[last]);
+        let growth = mesh.mass_per_length() * share;
+        let feed = &mut self.feed;
+        let relative = velocity - feed.tip;
+        feed.of_end = -growth * (at.world.gravity * position[2] + half * relative.norm_squared());
+        if let Some(ground) = ground {
+            feed.of_end -= ground.held_per_length(position)[1] * share;
+        }
+        feed.thrust -= relative * (growth * feed.rate);
+        let kinetic = (feed.tip.norm_squared() - velocity.norm_squared()) * half;
+        feed.entering += growth * kinetic * feed.rate;
     }
 
     /// Returns Q of the strain and of its damping, N.

@@ -60,7 +60,7 @@ struct MeanPull<S> {
 
 /// The mean loads on a node over an interval.
 pub struct NodeLoads<S> {
-    force: Vector3<S>,
+    pub force: Vector3<S>,
     /// Derivative of the force along the position at the end, with the sign changed, N/m.
     slope: Matrix3<S>,
     /// Derivative of the support of the ground along the depth at the end of the interval, over its stiffness, and share to which
@@ -279,6 +279,16 @@ impl<S: Scalar> LineSpan<S> {
         MeanPull { direction, tension, rise, stiffness }
     }
 
+    /// Returns the tension at a point of Gauss's rule with which the line pulls at its ends at the base of the interval, or at the
+    /// last point, N: the mean tension, and as much of the elastic change from its mean as damping has of the rate at the end.
+    pub fn tension_at(&self, is_base: bool, k: usize, mesh: &LineMesh<S>) -> S {
+        let (interval, section) = (S::constant(self.clock[2]), &mesh.elements[k / 2].section);
+        let [elastic, whole] = self.pull(k, mesh, interval).tension;
+        let ratio = if is_base { self.stretched[k].ratio } else { self.stretched_to(k, mesh).1.norm() };
+        let there = section.possible(section.axial_stiffness * (ratio - S::ONE));
+        section.possible(whole + (there - elastic) * share_at_end(interval, section.damping_time))
+    }
+
     /// Returns the mean loads on a node between the ends.
     #[inline(always)]
     pub fn loads(&self, node: usize, ground: Option<&LineGround<S>>, interval: S) -> NodeLoads<S> {
@@ -337,6 +347,32 @@ impl<S: Scalar> LineSpan<S> {
             }
             blocks.add::<MATRIX>(i, inertia + slope, balance);
         }
+    }
+
+    /// Returns the momentum that a node gained since the base, N s.
+    pub fn gained(&self, node: usize, mesh: &LineMesh<S>) -> Vector3<S> {
+        let part = &mesh.nodes[node];
+        let grown = mesh.mass_per_length() * S::constant(part.growth) * self.paid[1];
+        let before = self.base[node].velocity;
+        (self.velocity(node) - before) * part.dry_mass() + before * grown
+    }
+
+    /// Returns the mean force of tension and bending on the first end (0) or the second one (1) over the interval to the last
+    /// point, world, N.
+    pub fn pull_on_end(&self, end: usize, mesh: &LineMesh<S>) -> Vector3<S> {
+        let (half, local) = (S::constant(0.5), 2 * end);
+        let first = [0, self.next.len() - 3][end];
+        let mut force = Vector3::zero();
+        for k in [first, first + 1] {
+            let MeanPull { direction, tension: [_, whole], .. } = self.pull(k, mesh, S::constant(self.clock[2]));
+            let (slopes, _) = self.stretched_to(k, mesh);
+            force -= direction * (whole * slopes[local] * mesh.elements[k / 2].length * half);
+        }
+        for (bend, before) in mesh.bends.iter().zip(&self.curved).filter(|(bend, _)| bend.first == first) {
+            let after = bend.curvature(|node| self.next[node], &self.directions);
+            force -= (*before + after) * (bend.stiffness * half * bend.weights[local]);
+        }
+        force
     }
 
     /// Returns the heat of damping at a point of Gauss's rule over the interval, J.

@@ -31,9 +31,9 @@ use crate::elements::Context;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
-/// Last move of a node, as a share of the length of an element, at which Newton's method has converged: the next move would
-/// be about the square of this share.
-pub const CONVERGED: f64 = 1e-6;
+/// Last move of a node, as a share of the length of an element, at which Newton's method has converged. The next move would be
+/// about the square of this share; where friction begins, which it does over 1e-4 of an element, 1e-12 of an element.
+pub const CONVERGED: f64 = 1e-8;
 /// Last move with an old matrix at which it has converged: the next one would be smaller, but by the change of the matrix only.
 const CONVERGED_WITH_OLD: f64 = 1e-9;
 /// Largest number of iterations; 1 to 3 are usual, more if nodes touch the ground or become slack.
@@ -66,6 +66,10 @@ pub struct LineStep<S> {
     /// Moves of the ends of each line from the last point to the next, m.
     moved: Vec<[Vector3<S>; 2]>,
     descent: Descent<S>,
+    /// Tensions with which the elements at the ends of each line pull there, N.
+    tensions: Vec<Vec<S>>,
+    /// Impulses on the ends of each line over the interval to the last point, world, N s: zero where it is not held.
+    impulses: Vec<[Vector3<S>; 2]>,
     /// Energy of the lines without their ends on bodies at the base, J.
     energy: S,
 }
@@ -78,6 +82,8 @@ impl<S: Scalar> LineStep<S> {
             rises: vec![S::ZERO; spans.iter().map(|span| span.rises.len()).sum()],
             moved: Vec::new(),
             descent: Descent::new(spans.iter().map(|span| span.base.len()).sum()),
+            tensions: spans.iter().map(|span| vec![S::ZERO; span.points()]).collect(),
+            impulses: vec![[Vector3::zero(); 2]; spans.len()],
             spans,
             equations: LineEquations::new(strands),
             energy: S::ZERO,
@@ -129,6 +135,27 @@ impl<S: Scalar> LineStep<S> {
     /// # Errors
     /// The last move of the iteration, m, if it does not converge.
     pub fn advance(
+        &mut self,
+        strands: &[Strand<S>],
+        ends: impl Iterator<Item = LineEnds<S>>,
+        time_s: f64,
+    ) -> Result<(), f64> {
+        self.solve(strands, ends, time_s)?;
+        self.pull(strands, false);
+        Ok(())
+    }
+
+    /// Computes the tensions at the ends at the base of the interval, or at its last point.
+    pub fn pull(&mut self, strands: &[Strand<S>], is_base: bool) {
+        for ((span, tensions), strand) in self.spans.iter().zip(&mut self.tensions).zip(strands) {
+            let last = tensions.len() - 1;
+            for point in [0, 1, last - 1, last] {
+                tensions[point] = span.tension_at(is_base, point, &strand.mesh);
+            }
+        }
+    }
+
+    fn solve(
         &mut self,
         strands: &[Strand<S>],
         ends: impl Iterator<Item = LineEnds<S>>,
@@ -197,11 +224,22 @@ impl<S: Scalar> LineStep<S> {
     }
 
     /// Returns the energy of lines over the interval to the last point: the ends on bodies get what their energy loses, without
-    /// heat and with the work of the water.
-    pub fn booked(&self, strands: &[Strand<S>], gravity: S) -> Booked<S> {
+    /// heat and with the work of the water. Computes the impulses on the ends: the first end of a line that is paid out gets
+    /// what the momentum of all lines loses, without the impulses on the others.
+    pub fn booked(&mut self, strands: &[Strand<S>], gravity: S) -> Booked<S> {
         let mut booked = Booked { dissipated: S::ZERO, outside: S::ZERO, on_ends: S::ZERO };
-        for (span, strand) in self.spans.iter().zip(strands) {
-            book(span, strand, &mut booked);
+        let mut lost = Vector3::zero();
+        for ((span, strand), impulses) in self.spans.iter().zip(strands).zip(&mut self.impulses) {
+            lost += book(span, strand, &mut booked);
+            let interval = S::constant(span.clock[2]);
+            let of = |end: usize| {
+                strand.ends[end].map_or(Vector3::zero(), |_| span.pull_on_end(end, &strand.mesh) * interval)
+            };
+            *impulses = [0, 1].map(of);
+        }
+        if strands[0].mesh.supplied > 0 {
+            let others = self.impulses.iter().flatten().skip(1).fold(Vector3::zero(), |sum, impulse| sum + *impulse);
+            self.impulses[0][0] = lost - others;
         }
         let change = self.energy_of(strands, gravity, |span, i| [span.next[i], span.velocity(i)]) - self.energy;
         booked.on_ends = booked.outside - booked.dissipated - change;
@@ -211,6 +249,16 @@ impl<S: Scalar> LineStep<S> {
     /// Returns the position of a node of a line at the last point, world, m.
     pub fn position(&self, strand: usize, node: usize) -> Vector3<S> {
         self.spans[strand].next[node]
+    }
+
+    /// Returns the impulse on an end of a line over the interval to the last point, world, N s.
+    pub fn impulse(&self, strand: usize, end: usize) -> Vector3<S> {
+        self.impulses[strand][end]
+    }
+
+    /// Returns the tension at a point of Gauss's rule in an element at an end, with which the line pulls there at a stage, N.
+    pub fn tension(&self, strand: usize, point: usize) -> S {
+        self.tensions[strand][point]
     }
 
     /// Whether the lines were advanced since the base of the step.
@@ -251,23 +299,28 @@ fn write<S: Scalar, const MATRIX: bool>(
     }
 }
 
-/// Adds heat and work of the water of a line over the interval to the last point.
-fn book<S: Scalar>(span: &LineSpan<S>, Strand { mesh, ground, .. }: &Strand<S>, booked: &mut Booked<S>) {
+/// Adds heat and work of the water of a line over the interval to the last point. Returns the momentum that the nodes that move by
+/// themselves lost to others, N s.
+fn book<S: Scalar>(span: &LineSpan<S>, Strand { mesh, ground, .. }: &Strand<S>, booked: &mut Booked<S>) -> Vector3<S> {
+    let mut lost = Vector3::zero();
     let interval = S::constant(span.clock[2]);
     for k in 0..span.points() {
         booked.dissipated += span.heat_of_damping(k, mesh);
     }
     for i in mesh.moving() {
-        let NodeLoads { water, heat: [of_drag, of_ground], .. } = span.loads(i, ground.as_ref(), interval);
+        let NodeLoads { force, water, heat: [of_drag, of_ground], .. } = span.loads(i, ground.as_ref(), interval);
         let mut acceleration = (span.velocity(i) - span.base[i].velocity) * (S::ONE / interval);
         if i < span.drifts.len() {
             acceleration -= span.convected(i, mesh, S::ONE / interval);
         }
         // The water's part of the inertia is outside of the line.
-        let of_water = water - span.base[i].added * acceleration;
+        let of_inertia = span.base[i].added * acceleration;
+        let of_water = water - of_inertia;
+        lost += (force - of_inertia) * interval - span.gained(i, mesh);
         booked.dissipated += of_drag + of_ground;
         booked.outside += of_water.dot(span.way(i)) + of_drag;
     }
+    lost
 }
 
 /// Returns 1 for lanes in which an end has moved, else 0.

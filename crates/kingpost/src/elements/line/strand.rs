@@ -56,6 +56,11 @@ pub struct Strand<S = f64> {
     pub mesh: LineMesh<S>,
     /// Working memory.
     pub nodes: Nodes<S>,
+    /// Forces on its ends that return the impulses owed at the base of the step, world, N.
+    pub returned: [Vector3<S>; 2],
+    /// Forces of the line between its ends on the ends at the last evaluation in a step, with those, world, N: zero where it is
+    /// not held.
+    pub pulls: [Vector3<S>; 2],
 }
 
 impl<S: Scalar> Strand<S> {
@@ -69,6 +74,8 @@ impl<S: Scalar> Strand<S> {
             points_along: 0,
             joint: None,
             nodes: Nodes::new(&mesh),
+            returned: [Vector3::zero(); 2],
+            pulls: [Vector3::zero(); 2],
             mesh,
         }
     }

@@ -2,19 +2,43 @@
 //!
 //! Between the drum and the first end the line is without mass and does not stretch, and its length l follows from its path
 //! (`ropes/path.rs`). With the length P that the drum has paid out since the start, the length of the first part is
-//! `L = L_0 + P - (l - l_0)`. The weight of what was let out since then is taken from the first place of the path, where the
-//! rest of it is stored; its inertia stays there.
+//! `L = L_0 + P - (l - l_0)`. The mass of what was let out since then, with its weight, is taken from the first place of the path,
+//! where the rest of it is stored; the moment of inertia of a drum stays.
+//!
+//! Material jumps from that place, with the velocity v_f, to the first end, with v_1, which accelerates it: the thrust
+//! `mu L' (v_f - v_1)` acts on the first end. Energy is conserved with the force `mu |v_1 - v_f|^2 / 2` along L, with which the line
+//! is drawn outwards, as by the centrifugal force on what is between the two.
 
 use super::feed::LineFeed;
 use crate::dynamics::Loads;
-use crate::elements::Context;
-use crate::elements::lines::{place, pull_at};
+use crate::elements::lines::{place, pull_at, velocity};
 use crate::elements::ropes::{Drum, RopePath, Round, Station};
+use crate::elements::{Context, Crossing, Event};
 use crate::scalar::Scalar;
-use crate::spatial::Vector3;
+use crate::spatial::{Frame, Matrix3, SpatialInertia, Symmetric3, Vector3};
 
 /// Share of the length at the start below which the first part is no longer shortened.
 const SHORTEST: f64 = 1e-3;
+
+/// Events of a line that is paid out, in the order of its [indicators](LineSupply::indicators).
+pub(super) const EVENTS: [Event; 4] = [
+    Event { code: "hauled_in_to_end", what: "is hauled in to its end", crossing: Crossing::Falling },
+    Event {
+        code: "paid_out_to_innermost_layer",
+        what: "is paid out to the innermost layer of its drum",
+        crossing: Crossing::Falling,
+    },
+    Event {
+        code: "leaves_valid_path",
+        what: "wraps a sheave or drum beyond the valid angle, or two neighbouring places of its path overlap",
+        crossing: Crossing::Falling,
+    },
+    Event {
+        code: "lets_out_mass_of_first_body",
+        what: "has let out more than the mass of the body at the first place of its path, which contains the wire there",
+        crossing: Crossing::Falling,
+    },
+];
 
 /// A drum and sheaves from which a line is paid out.
 #[derive(Clone, Debug)]
@@ -111,8 +135,8 @@ impl<S: Scalar> LineSupply<S> {
         }
     }
 
-    /// Adds the loads on drum and sheaves by the force with which the line draws from its supply, and their heat. The line has
-    /// this mass per length, kg/m.
+    /// Adds the loads on drum and sheaves by the force with which the line draws from its supply, their heat, and the inertia that
+    /// left the first station. The line has this mass per length, kg/m. Returns the thrust on the first end, world, N.
     pub fn draw(
         &self,
         now: &Supplied<S>,
@@ -120,9 +144,12 @@ impl<S: Scalar> LineSupply<S> {
         mass_per_length: S,
         at: &Context<'_, S>,
         loads: &mut Loads<S>,
-    ) {
-        let weight = mass_per_length * at.world.gravity;
-        let force = feed.force + feed.of_end + weight * now.height;
+    ) -> Vector3<S> {
+        let (weight, half) = (mass_per_length * at.world.gravity, S::constant(0.5));
+        let leaves = velocity(&self.from.centre, at);
+        let faster = feed.tip - leaves;
+        let outward = mass_per_length * half * faster.norm_squared();
+        let force = feed.force + feed.of_end + weight * now.height + outward;
         let over_tip = force * self.tip.map_or(S::ONE, |round| round.efficiency.of_rope(now.rate));
         let [mut first, mut power] = self.inboard.as_ref().map_or([over_tip, S::ZERO], |path| {
             path.pull(over_tip, -now.rate, |station, wrench| loads.wrenches.extend(station.on_body(at, wrench)))
@@ -136,6 +163,21 @@ impl<S: Scalar> LineSupply<S> {
         loads.power.dissipated += force * now.rate - power;
         let let_out = now.length - self.at_start;
         pull_at(&self.from.centre, Vector3([S::ZERO, S::ZERO, let_out * weight]), at, loads);
+        if let Some(body) = self.from.centre.body {
+            let linear = Symmetric3::diagonal([-let_out * mass_per_length; 3]);
+            let inertia = SpatialInertia { angular: Symmetric3::default(), coupling: Matrix3::zero(), linear };
+            let place = Frame::translation(self.from.centre.in_body.position);
+            loads.added_inertia.push((body, inertia.to_parent(&place)));
+        }
+        let kinetic = (leaves.norm_squared() - feed.tip.norm_squared()) * half;
+        loads.power.outside += feed.entering + mass_per_length * kinetic * now.rate;
+        feed.thrust - faster * (mass_per_length * now.rate)
+    }
+
+    /// Returns the indicators of the [events](EVENTS) of a line with this mass per length, kg/m.
+    pub fn indicators(&self, now: &Supplied<S>, mass_per_length: S, at: &Context<'_, S>) -> [S; 4] {
+        let stored = |body: usize| at.model.bodies[body].mass + (self.at_start - now.length) * mass_per_length;
+        [now.left, now.layers_left, now.range_left, self.from.centre.body.map_or(S::ONE, stored)]
     }
 
     /// Returns the potential energy of the weight that was let out, J.
