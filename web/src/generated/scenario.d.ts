@@ -1680,6 +1680,23 @@ export type Constraint =
       distance: Distance;
     };
 /**
+ * The largest misfit of the ends, along and about the constrained axes.
+ */
+export type MisfitTolerance = {
+  /**
+   * Distance of the second end from the first, m.
+   */
+  distance_m?: number;
+  /**
+   * Angle between the two, rad.
+   */
+  angle_rad?: number;
+  /**
+   * The same as `angle_rad`, in the unit of this name.
+   */
+  angle_deg?: number;
+};
+/**
  * One wave system of the sea. Directions are those towards which the waves travel, from the world's x axis towards y:
  * 180 degrees is a head sea for a ship at heading 0.
  *
@@ -4674,6 +4691,10 @@ export interface Loop {
    * motion of the free joints; a larger one is an error.
    */
   start_gap_m?: number;
+  /**
+   * Lets an input release the loop and engage it again; without it, the loop always holds.
+   */
+  connection?: Connection | null;
 }
 /**
  * A distance to keep.
@@ -4683,6 +4704,24 @@ export interface Distance {
    * Length of the rod, m.
    */
   length_m: number;
+}
+/**
+ * Lets an input with the loop's name release the loop and engage it again, in [0, 1]: it is released from 0.5 up, and to engage
+ * below 0.5. It engages at once or as soon as its ends are within the tolerance, with an impact whose energy becomes heat.
+ */
+export interface Connection {
+  /**
+   * Whether it begins released: its input then begins at 1, and its gap at the start is not closed.
+   */
+  begins_released?: boolean;
+  /**
+   * Where it engages.
+   */
+  engages?:
+    | {
+        within: MisfitTolerance;
+      }
+    | "where_it_is";
 }
 /**
  * The water, its waves and its current.

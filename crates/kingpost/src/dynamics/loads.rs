@@ -1,6 +1,6 @@
 //! Loads of forces, drives and water on the dynamics.
 
-use super::{LinkKinematics, UnilateralConstraint};
+use super::{LinkKinematics, TemporaryConstraint};
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::spatial::{SpatialInertia, Twist, Vector3, Wrench};
@@ -21,7 +21,7 @@ pub struct Loads<S = f64> {
     /// contain weight.
     pub gravity: Option<Vector3<S>>,
     /// Restraints of elements, each at the index of its element.
-    pub restraints: Vec<UnilateralConstraint<S>>,
+    pub restraints: Vec<TemporaryConstraint<S>>,
     /// Power by source.
     pub power: Power<S>,
 }

@@ -5,7 +5,7 @@
 //! of bodies. Tests check that both agree.
 //!
 //! Closed loops are in [`loops`]: multipliers over the recursion, with the bordered system as reference. Temporary
-//! constraints of elements, each a [`UnilateralConstraint`], are added to them.
+//! constraints of elements, each a [`TemporaryConstraint`], are added to them.
 //!
 //! Nothing here knows where loads come from: they arrive as one struct, [`Loads`].
 
@@ -22,10 +22,10 @@ pub mod loops;
 pub mod moving_frame;
 mod moving_link;
 pub mod pivots;
-mod unilateral_constraint;
+mod temporary_constraint;
 
 pub use clock::Clock;
 pub use kinematics::Kinematics;
 pub use link_kinematics::LinkKinematics;
 pub use loads::{Loads, Power};
-pub use unilateral_constraint::UnilateralConstraint;
+pub use temporary_constraint::TemporaryConstraint;

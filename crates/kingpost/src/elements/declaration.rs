@@ -28,8 +28,8 @@ pub struct Declaration {
     pub keeps_states: bool,
     /// Whether it prescribes the motion of coordinates.
     pub prescribes: bool,
-    /// Whether it may hold a constraint.
-    pub holds: bool,
+    /// Number of constraints that it [holds](super::Holding) in some of its modes.
+    pub holds: usize,
     /// Whether it [advances](super::Advancing) its states in explicit schemes.
     pub advances: bool,
     /// Whether runs with it are stepped singly, not in lanes, because its law changes at different times in different

@@ -3,7 +3,7 @@
 use super::{
     AnyWatcher, Context, Declaration, Occurrence, PresentSupport, RandomDrag, RegularWaves, ShownWaves, Support,
 };
-use crate::dynamics::{Clock, Kinematics, Loads, UnilateralConstraint};
+use crate::dynamics::{Clock, Kinematics, Loads, TemporaryConstraint};
 use crate::scalar::Scalar;
 use crate::world::World;
 use core::any::Any;
@@ -28,7 +28,7 @@ use core::fmt::Debug;
 /// | a row of results | [`outputs`](Self::outputs), [`potential_energy`](Self::potential_energy) |
 /// | a run begins to watch its rows for warnings | [`watchers`](Self::watchers), once |
 /// | a picture | [`draw`](Self::draw) |
-/// | it holds a constraint | [`holding`](Self::holding), in every evaluation and after every step |
+/// | it holds constraints | [`holding`](Self::holding), in every evaluation and after every step |
 /// | an equilibrium is sought | [`loads`](Self::loads) in another [`EvaluationMode`](super::EvaluationMode), [`settling`](Self::settling) |
 pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
     /// Returns its name in the scenario; empty if no declared entry needs a name.
@@ -119,12 +119,12 @@ pub trait Element<S: Scalar = f64>: Debug + Send + Sync + Boxed<S> {
         None
     }
 
-    /// Returns the constraint that it holds in some modes; called if [`Declaration::holds`].
+    /// Returns the role of an element that [holds](Declaration::holds) constraints; `None` if it holds none.
     fn holding(&self) -> Option<&dyn Holding<S>> {
         None
     }
 
-    /// Returns the constraint of [`holding`](Self::holding), mutable, for evaluation.
+    /// Returns the role of [`holding`](Self::holding), mutable, for evaluation.
     fn holding_mut(&mut self) -> Option<&mut dyn Holding<S>> {
         None
     }
@@ -285,19 +285,23 @@ pub struct NotAdvanced {
     pub iterations: usize,
 }
 
-/// An element that holds a one-sided constraint in some of its modes: an inextensible rope.
+/// An element that holds [constraints](Declaration::holds) in some of its modes: an inextensible rope, a connection.
 pub trait Holding<S: Scalar = f64> {
     /// Whether it holds, by its modes.
     fn holds(&self, modes: &[i64]) -> bool;
 
-    /// Writes the constraint at the present positions. The context has no entries of the element.
-    fn restrain(&mut self, at: &Context<'_, S>, held: &mut UnilateralConstraint<S>);
+    /// Writes its constraints at the present positions. While the motion is corrected, the context has no entries of the
+    /// element: it then holds what it held at the last evaluation with them.
+    fn restrain(&mut self, at: &Context<'_, S>, held: &mut [TemporaryConstraint<S>]);
 
-    /// Receives the constraint force from the solution for the accelerations, N; zero if it does not hold.
-    fn carry(&mut self, multiplier: S);
+    /// Receives the multipliers of its constraints from the solution for the accelerations, N or N m; none if it does not hold.
+    fn carry(&mut self, multipliers: &[S]);
 
-    /// Releases the constraint, because its force would be negative.
-    fn let_go(&mut self, modes: &mut [i64]);
+    /// Receives the impulses of its constraints in an impact, N s or N m s, and enters them in its discrete numbers.
+    fn strike(&mut self, _impulses: &[S], _numbers: &mut [S]) {}
+
+    /// Releases a one-sided constraint, because its force would be negative.
+    fn let_go(&mut self, _modes: &mut [i64]) {}
 }
 
 /// Methods that every element gets from being `Clone` and `'static`, by a blanket implementation.

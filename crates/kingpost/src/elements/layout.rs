@@ -116,8 +116,8 @@ pub struct Layout {
     pub watched: Vec<Watched>,
     /// The elements that prescribe motions.
     pub prescribing: Vec<usize>,
-    /// The elements that may hold a constraint.
-    pub holding: Vec<usize>,
+    /// The elements that may hold constraints, with the places of these among those of all.
+    pub holding: Vec<(usize, Range<usize>)>,
     /// The elements that advance their states in explicit schemes.
     pub advancing: Vec<usize>,
     /// The entries of s that are motions of these elements.
@@ -183,7 +183,10 @@ impl Layout {
             };
             layout.watched.extend(declared.events.iter().enumerate().map(watched));
             layout.prescribing.extend(declared.prescribes.then_some(element));
-            layout.holding.extend(declared.holds.then_some(element));
+            if declared.holds > 0 {
+                let first = layout.holding.last().map_or(0, |(_, places)| places.end);
+                layout.holding.push((element, first..first + declared.holds));
+            }
             layout.advancing.extend(declared.advances.then_some(element));
         }
         let states = layout.states.iter().enumerate();

@@ -1,11 +1,10 @@
-//! One-sided constraints that elements hold while their modes require it: they start with an impact and end
-//! by release.
+//! Constraints that elements hold while their modes require it: they start with an impact and end by release.
 
 use super::Plant;
 use super::between_steps::instant;
 use super::element_contexts::ElementContexts;
 use crate::dynamics::loops::Projection;
-use crate::dynamics::{LinkKinematics, UnilateralConstraint};
+use crate::dynamics::{LinkKinematics, TemporaryConstraint};
 use crate::elements::{AnyElement, Context, Layout};
 use crate::integrate::Stage;
 use crate::model::Model;
@@ -24,12 +23,11 @@ impl<S: Scalar> Plant<S> {
         self.loads.restraints.iter().any(|restraint| restraint.acts)
     }
 
-    /// Returns the name of the element that holds a constraint; the index counts the loops' constraints
-    /// first, then the active ones of elements.
-    pub fn holds_behind_loops(&self, constraint: usize) -> Option<&str> {
+    /// Returns the constraint of an element; the index counts the loops' constraints first, then the active ones of elements.
+    pub fn holds_behind_loops(&self, constraint: usize) -> Option<&TemporaryConstraint<S>> {
         let place = constraint.checked_sub(self.model.constraint_count())?;
         let mut acting = self.loads.restraints.iter().filter(|restraint| restraint.acts);
-        acting.nth(place).map(|restraint| restraint.name.as_str())
+        acting.nth(place)
     }
 
     /// Evaluates the constraints that elements hold at a stage, for the present kinematics.
@@ -39,23 +37,24 @@ impl<S: Scalar> Plant<S> {
         }
         let Self { model, world, links, elements, layout, evaluation, loads, .. } = self;
         let mut contexts = ElementContexts::new(layout, world, model, links, *evaluation, at);
-        for (&i, restraint) in layout.holding.iter().zip(&mut loads.restraints) {
-            let at = contexts.of(i);
-            let Some(holding) = elements[i].holding_mut() else { continue };
-            restraint.acts = holding.holds(at.modes);
-            if restraint.acts {
-                holding.restrain(at, restraint);
+        for (i, places) in &layout.holding {
+            let at = contexts.of(*i);
+            let Some(holding) = elements[*i].holding_mut() else { continue };
+            let (acts, restraints) = (holding.holds(at.modes), &mut loads.restraints[places.clone()]);
+            restraints.iter_mut().for_each(|restraint| restraint.acts = acts);
+            if acts {
+                holding.restrain(at, restraints);
             }
         }
     }
 
     /// Passes to the elements the forces of their constraints, from the last solution for the accelerations.
     pub(super) fn hand_out_multipliers(&mut self) {
-        let mut multipliers = self.loops.of_restraints().iter();
-        for (&i, restraint) in self.layout.holding.iter().zip(&self.loads.restraints) {
-            let carried = if restraint.acts { multipliers.next().copied() } else { None };
-            if let Some(holding) = self.elements[i].holding_mut() {
-                holding.carry(carried.unwrap_or(S::ZERO));
+        let mut multipliers = self.loops.of_restraints();
+        for (i, places) in &self.layout.holding {
+            let of_own = multipliers.split_off(..acting(&self.loads.restraints[places.clone()]));
+            if let Some(holding) = self.elements[*i].holding_mut() {
+                holding.carry(of_own.unwrap_or_default());
             }
         }
     }
@@ -67,14 +66,14 @@ impl<S: Scalar> Plant<S> {
         work: impl FnOnce(&mut super::LoopSolver<S>, &mut Projection<'_, S>) -> R,
     ) -> R {
         let Self { model, world, links, work: memory, loads, loops, elements, layout, .. } = self;
-        let mut hold = |links: &LinkKinematics<S>, q: &[S], v: &[S], restraints: &mut [UnilateralConstraint<S>]| {
+        let mut hold = |links: &LinkKinematics<S>, q: &[S], v: &[S], restraints: &mut [TemporaryConstraint<S>]| {
             hold(elements, layout, world, model, links, (q, v), restraints);
         };
         work(loops, &mut Projection { model, links, work: memory, loads, hold: &mut hold })
     }
 
-    /// Updates the constraints after modes changed at a time: ropes and other elements that have become taut
-    /// cause an impact, and elements with a negative force release.
+    /// Updates the constraints after modes changed at a time: elements that have begun to hold cause an impact, and one-sided
+    /// ones with a negative force release.
     pub(super) fn take_hold(&mut self, time_s: f64, state: &mut State<S>) {
         if self.layout.holding.is_empty() {
             return;
@@ -91,6 +90,7 @@ impl<S: Scalar> Plant<S> {
             let impulses = self.project(|solver, on| solver.strike(on, &state.q, &mut struck).to_vec());
             if !self.let_go_of_least(&impulses, state) {
                 state.v = struck;
+                self.hand_out_impulses(&impulses, state);
                 break;
             }
             self.evaluate_loads(instant(time_s, state));
@@ -106,12 +106,25 @@ impl<S: Scalar> Plant<S> {
         self.loops.forget_pivots();
     }
 
-    /// Releases the element with the most negative force, if there is one; returns whether an element was
-    /// released.
+    /// Passes to the elements the impulses of their constraints in an impact.
+    fn hand_out_impulses(&mut self, mut impulses: &[S], state: &mut State<S>) {
+        for (i, places) in &self.layout.holding {
+            let of_own = impulses.split_off(..acting(&self.loads.restraints[places.clone()]));
+            let numbers = self.layout.slices[*i].numbers.clone();
+            if let (Some(holding), Some(of_own)) = (self.elements[*i].holding_mut(), of_own) {
+                holding.strike(of_own, &mut state.d[numbers]);
+            }
+        }
+    }
+
+    /// Releases the element of the one-sided constraint with the most negative force, if there is one; returns whether an
+    /// element was released.
     fn let_go_of_least(&mut self, carried: &[S], state: &mut State<S>) -> bool {
-        let acting = self.layout.holding.iter().zip(&self.loads.restraints).filter(|(_, restraint)| restraint.acts);
-        let least = acting.zip(carried).min_by(|(_, a), (_, b)| a.value().total_cmp(&b.value()));
-        let Some(((&element, _), _)) = least.filter(|(_, carried)| carried.value() < 0.0) else { return false };
+        let holding = self.layout.holding.iter().flat_map(|(element, places)| places.clone().map(move |_| *element));
+        let acting = holding.zip(&self.loads.restraints).filter(|(_, restraint)| restraint.acts);
+        let one_sided = acting.zip(carried).filter(|((_, restraint), _)| restraint.is_one_sided);
+        let least = one_sided.min_by(|(_, a), (_, b)| a.value().total_cmp(&b.value()));
+        let Some(((element, _), _)) = least.filter(|(_, carried)| carried.value() < 0.0) else { return false };
         let modes = self.layout.slices[element].modes.clone();
         if let Some(holding) = self.elements[element].holding_mut() {
             holding.let_go(&mut state.m[modes]);
@@ -122,7 +135,7 @@ impl<S: Scalar> Plant<S> {
     /// Updates the constraints during the search for an equilibrium: elements that held continue to hold, and
     /// elements that have become taut start to hold.
     pub fn keep_hold(&mut self, before: &[i64], state: &mut State<S>) {
-        for &i in &self.layout.holding {
+        for &(i, _) in &self.layout.holding {
             let modes = self.layout.slices[i].modes.clone();
             if self.elements[i].holding().is_some_and(|holding| holding.holds(&before[modes.clone()])) {
                 state.m[modes.clone()].copy_from_slice(&before[modes]);
@@ -186,12 +199,18 @@ fn hold<S: Scalar>(
     model: &Model<S>,
     links: &LinkKinematics<S>,
     motion: (&[S], &[S]),
-    restraints: &mut [UnilateralConstraint<S>],
+    restraints: &mut [TemporaryConstraint<S>],
 ) {
     let at = Context::at_rest(world, model, links, motion);
-    for (&i, restraint) in layout.holding.iter().zip(restraints) {
-        if let Some(holding) = elements[i].holding_mut().filter(|_| restraint.acts) {
-            holding.restrain(&at, restraint);
+    for (i, places) in &layout.holding {
+        let restraints = &mut restraints[places.clone()];
+        if let Some(holding) = elements[*i].holding_mut().filter(|_| acting(restraints) > 0) {
+            holding.restrain(&at, restraints);
         }
     }
+}
+
+/// Returns the number of restraints that are active.
+fn acting<S>(restraints: &[TemporaryConstraint<S>]) -> usize {
+    restraints.iter().filter(|restraint| restraint.acts).count()
 }

@@ -17,7 +17,7 @@ pub use tangent::{Along, DIRECTIONS, Number, Tangent};
 use crate::dynamics::loops::{LoopFault, LoopSolver};
 use crate::dynamics::moving_frame::{MovingFrame, Variation};
 use crate::dynamics::{
-    Clock, Kinematics, LinkKinematics, Loads, UnilateralConstraint, energy, forward, inverse::InverseDynamics,
+    Clock, Kinematics, LinkKinematics, Loads, TemporaryConstraint, energy, forward, inverse::InverseDynamics,
 };
 use crate::elements::{AnyElement, EvaluationMode, Layout, Watched};
 use crate::integrate::{Interval, Jacobian, Sizes, Stage, StepError, System};
@@ -26,6 +26,7 @@ use crate::model::{Model, MotionType, Node};
 use crate::scalar::Scalar;
 use crate::state::State;
 use crate::world::World;
+use core::ops::Range;
 use nalgebra::DMatrix;
 
 /// The form of the equations of motion.
@@ -98,7 +99,10 @@ impl<S: Scalar> Plant<S> {
         let layout = Layout::new(&elements, ledger::COUNT);
         let outputs = layout.outputs.iter().map(|(_, output)| output.len()).sum();
         let mut loads = Loads::with_room_for(&model, 2 * (elements.len() + model.constraint_count()));
-        loads.restraints = layout.holding.iter().map(|&i| UnilateralConstraint::new(&layout.names[i])).collect();
+        let of = |(element, places): &(usize, Range<usize>)| {
+            vec![TemporaryConstraint::new(&layout.names[*element]); places.len()]
+        };
+        loads.restraints = layout.holding.iter().flat_map(of).collect();
         Self {
             links: LinkKinematics::new(&model),
             bodies: Kinematics::new(&model.tree),

@@ -1,5 +1,6 @@
 //! Errors that end a run early, and errors of values that a caller gives.
 
+use crate::dynamics::TemporaryConstraint;
 use crate::dynamics::loops::{LARGEST_GAP, LoopFault, SMALLEST_PIVOT};
 use crate::integrate::{StepError, shown};
 use crate::plant::Plant;
@@ -147,12 +148,16 @@ pub enum RunError {
 }
 
 impl RunError {
-    /// Converts the error of a loop to one with the names of the model; constraints of taut ropes are
+    /// Converts the error of a constraint to one with the names of the model; constraints that elements hold are
     /// numbered after those of the loops.
     pub(super) fn of_loop<S: Scalar>(time_s: f64, plant: &Plant<S>, fault: LoopFault) -> Self {
         let model = &plant.model;
-        let rope = |constraint: usize| plant.holds_behind_loops(constraint).map(str::to_owned);
+        let held = |constraint: usize| plant.holds_behind_loops(constraint);
+        let rope = |constraint: usize| held(constraint).filter(|held| held.is_one_sided).map(|held| held.name.clone());
         let named = |constraint: usize| {
+            if let Some(TemporaryConstraint { name, part: (part, unit), .. }) = held(constraint) {
+                return (name.clone(), (*part).to_owned(), *unit);
+            }
             let mut all = model.loops.iter().flat_map(|closed| closed.constraints.iter().map(move |c| (closed, c)));
             let (closed, (name, constraint)) = all.nth(constraint).expect("a fault is of a constraint");
             (closed.name.clone(), name.clone(), constraint.unit())

@@ -2,7 +2,7 @@
 
 use super::Row;
 use crate::dynamics::forward::Response;
-use crate::dynamics::{LinkKinematics, UnilateralConstraint};
+use crate::dynamics::{LinkKinematics, TemporaryConstraint};
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::spatial::{Twist, Wrench};
@@ -38,7 +38,7 @@ impl<S: Scalar> ConstraintColumn<S> {
     }
 
     /// Copies the restraint of an element.
-    pub fn take_restraint(&mut self, model: &Model<S>, links: &LinkKinematics<S>, held: &UnilateralConstraint<S>) {
+    pub fn take_restraint(&mut self, model: &Model<S>, links: &LinkKinematics<S>, held: &TemporaryConstraint<S>) {
         (self.residual, self.rate, self.bias_acceleration) = (held.residual, held.rate, held.bias_acceleration);
         held.write_on_links(model, links, &mut self.on);
         self.along.clone_from(&held.along);

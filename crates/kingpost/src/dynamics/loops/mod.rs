@@ -13,7 +13,7 @@
 //! are corrected by the smallest change in the norm of M*, so that phi and phi' vanish ([`LoopSolver::close`]). This
 //! conserves the total momentum of two connected ships.
 //!
-//! The temporary constraints of elements, each a [`UnilateralConstraint`](super::UnilateralConstraint), follow the loops in the same system.
+//! The temporary constraints of elements, each a [`TemporaryConstraint`](super::TemporaryConstraint), follow the loops in the same system.
 
 mod column;
 mod factor;
@@ -22,10 +22,10 @@ mod rows;
 
 pub use factor::{CholeskyFactor, SMALLEST_PIVOT};
 pub use project::{LARGEST_GAP, LoopFault, Projection};
-pub use rows::Row;
+pub use rows::{Row, hold, relative_pose};
 
 use super::forward::{Response, Workspace};
-use super::{LinkKinematics, Loads, UnilateralConstraint};
+use super::{LinkKinematics, Loads, TemporaryConstraint};
 use crate::model::Model;
 use crate::scalar::Scalar;
 use column::ConstraintColumn;
@@ -77,7 +77,7 @@ impl<S: Scalar> LoopSolver<S> {
     }
 
     /// Evaluates every constraint of the loops, followed by the active restraints.
-    fn update_columns(&mut self, model: &Model<S>, links: &LinkKinematics<S>, restraints: &[UnilateralConstraint<S>]) {
+    fn update_columns(&mut self, model: &Model<S>, links: &LinkKinematics<S>, restraints: &[TemporaryConstraint<S>]) {
         self.update_rows(model, links);
         let mut columns = self.columns.iter_mut();
         for (row, column) in self.rows.iter().zip(columns.by_ref()) {

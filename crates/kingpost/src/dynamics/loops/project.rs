@@ -8,7 +8,7 @@
 use super::column::ConstraintColumn;
 use super::{LoopSolver, SMALLEST_PIVOT};
 use crate::dynamics::forward::{Workspace, forward_dynamics};
-use crate::dynamics::{LinkKinematics, Loads, UnilateralConstraint};
+use crate::dynamics::{LinkKinematics, Loads, TemporaryConstraint};
 use crate::model::Model;
 use crate::scalar::Scalar;
 
@@ -63,7 +63,7 @@ pub struct Projection<'a, S> {
 }
 
 /// Writes the active restraints for the kinematics, positions and velocities.
-pub type Hold<'a, S> = dyn FnMut(&LinkKinematics<S>, &[S], &[S], &mut [UnilateralConstraint<S>]) + 'a;
+pub type Hold<'a, S> = dyn FnMut(&LinkKinematics<S>, &[S], &[S], &mut [TemporaryConstraint<S>]) + 'a;
 
 impl<S: Scalar> LoopSolver<S> {
     /// Sets the diagonal of J M*^-1 J^T at this state as the reference of pivots.

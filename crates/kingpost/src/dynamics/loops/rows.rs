@@ -10,8 +10,8 @@
 //!
 //! (Featherstone 2008, section 2.9 for the derivatives of twists and wrenches, ch. 8 for loops).
 
-use crate::dynamics::LinkKinematics;
 use crate::dynamics::ball::Ball;
+use crate::dynamics::{LinkKinematics, TemporaryConstraint};
 use crate::model::{Attachment, Constraint, LinkJoint, Model, MotionType};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Twist, Vector3, Wrench};
@@ -106,6 +106,38 @@ pub fn update<S: Scalar>(model: &Model<S>, links: &LinkKinematics<S>, rows: &mut
     for closed in &model.loops {
         let pair = Pair::new(model, links, &closed.first, &closed.second);
         rows.extend(closed.constraints.iter().map(|(_, constraint)| pair.row(constraint)));
+    }
+}
+
+/// Returns the pose of the second attachment in the axes of the first.
+pub fn relative_pose<S: Scalar>(
+    model: &Model<S>,
+    links: &LinkKinematics<S>,
+    [first, second]: [&Attachment<S>; 2],
+) -> Frame<S> {
+    Pair::new(model, links, first, second).second_in_first
+}
+
+/// Writes constraints between two attachments for an element that holds them, each with its wrench on the second body, about the
+/// second attachment in the axes of the first.
+pub fn hold<S: Scalar>(
+    model: &Model<S>,
+    links: &LinkKinematics<S>,
+    ends: [&Attachment<S>; 2],
+    constraints: &[Constraint<S>],
+    held: &mut [TemporaryConstraint<S>],
+    at_second: &mut [Wrench<S>],
+) {
+    let pair = Pair::new(model, links, ends[0], ends[1]);
+    for ((constraint, held), at_second) in constraints.iter().zip(held).zip(at_second) {
+        let row = pair.row(constraint);
+        *at_second = row.at_second();
+        (held.residual, held.rate, held.bias_acceleration) = (row.residual, row.rate, row.bias_acceleration);
+        let own = [-row.wrench, pair.second_in_first.wrench_to_child(&row.wrench)];
+        held.clear();
+        for (end, wrench) in ends.into_iter().zip(own) {
+            held.wrenches.extend(end.body.map(|body| (body, end.in_body.wrench_to_parent(&wrench))));
+        }
     }
 }
 

@@ -5,7 +5,7 @@
 //! rows as wrenches, in other axes.
 
 use super::blocks::{omega_of, x_dot_of};
-use crate::dynamics::UnilateralConstraint;
+use crate::dynamics::TemporaryConstraint;
 use crate::model::{Attachment, Constraint, Model};
 use crate::spatial::{Frame, Twist, Vector3};
 use nalgebra::{DMatrix, DVector, RowDVector};
@@ -21,7 +21,7 @@ pub(super) struct BodiesMotion<'a> {
 }
 
 /// J over all coordinates, and J' q': of the loops, then of the active restraints.
-pub(super) fn rows(motion: &BodiesMotion<'_>, restraints: &[UnilateralConstraint]) -> (DMatrix<f64>, DVector<f64>) {
+pub(super) fn rows(motion: &BodiesMotion<'_>, restraints: &[TemporaryConstraint]) -> (DMatrix<f64>, DVector<f64>) {
     let constraints = motion.model.loops.iter().flat_map(|closed| {
         let (first, second) = (motion.point(&closed.first), motion.point(&closed.second));
         closed.constraints.iter().map(move |(_, constraint)| row(&first, &second, constraint)).collect::<Vec<_>>()
@@ -49,7 +49,7 @@ struct MovingAttachment {
 
 impl BodiesMotion<'_> {
     /// The row of a restraint, and its share of J' q'.
-    fn held(&self, restraint: &UnilateralConstraint) -> (RowDVector<f64>, f64) {
+    fn held(&self, restraint: &TemporaryConstraint) -> (RowDVector<f64>, f64) {
         let rotation = |body: usize| self.frames[body].rotation;
         let in_body = |x: &DVector<f64>, body: usize| Twist {
             angular: omega_of(x, body),

@@ -22,7 +22,9 @@ pub fn add<S: Quantity>(scenario: &Scenario<S>, setup: &mut Setup<S>, controller
     }
     let mut layout = Layout::new(&setup.elements, 0);
     layout.connect(&setup.wires);
-    let mut reader = Reader { layout: &layout, known: columns::of(setup), inputs: Vec::new(), columns: Vec::new() };
+    let held: Vec<&str> = setup.model.loops.iter().map(|closed| closed.name.as_str()).collect();
+    let (known, inputs, columns) = (columns::of(setup), Vec::new(), Vec::new());
+    let mut reader = Reader { layout: &layout, held, known, inputs, columns };
     check_ends(&given.steps)?;
     let steps = given.steps.iter().enumerate().map(|(i, step)| reader.step(&format!("operation.steps.{i}"), step));
     let steps = steps.collect::<Result<_, _>>()?;
@@ -51,6 +53,8 @@ fn check_ends<S>(steps: &[schema::OperationStep<S>]) -> Result<(), FieldError> {
 /// Inputs and columns named by the steps, collected during reading.
 struct Reader<'a> {
     layout: &'a Layout,
+    /// Loops that cannot be released.
+    held: Vec<&'a str>,
     known: Vec<Column>,
     inputs: Vec<String>,
     columns: Vec<String>,
@@ -98,6 +102,10 @@ impl Reader<'_> {
     ) -> Result<(usize, Move<S>), FieldError> {
         let names = || self.layout.inputs.iter().map(|input| input.name.as_str()).collect::<Vec<_>>();
         let Some(place) = self.layout.inputs.iter().position(|input| *input.name == *given.input) else {
+            if self.held.contains(&given.input.as_ref()) {
+                let allowed = "an input: a loop has one with connection: {}, which releases it";
+                return Err(FieldError::new(format!("{field}.input"), &given.input, allowed));
+            }
             let names = names();
             let none = || "an input: enabled drives and ropes have one, and motors with history: lever".to_owned();
             let allowed = if names.is_empty() { none() } else { one_of_with_hint(&names, &given.input) };

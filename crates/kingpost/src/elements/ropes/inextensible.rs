@@ -16,7 +16,7 @@ use super::path::{PlacedStation, Wrap};
 use super::release::is_off;
 use super::station::StationMotion;
 use super::{ROUNDING_M, Rope, RopePath, Round, SLACK, Station, TAUT};
-use crate::dynamics::UnilateralConstraint;
+use crate::dynamics::TemporaryConstraint;
 use crate::elements::ropes::Efficiency;
 use crate::elements::{Context, Holding};
 use crate::model::Attachment;
@@ -104,7 +104,8 @@ impl<S: Scalar> Holding<S> for Rope<S> {
         self.inextensible.is_some() && modes.first() == Some(&TAUT)
     }
 
-    fn restrain(&mut self, at: &Context<'_, S>, held: &mut UnilateralConstraint<S>) {
+    fn restrain(&mut self, at: &Context<'_, S>, held: &mut [TemporaryConstraint<S>]) {
+        let [held] = held else { return };
         let now = self.laid(at);
         let Self { path, inextensible, drum, .. } = self;
         held.clear();
@@ -118,8 +119,9 @@ impl<S: Scalar> Holding<S> for Rope<S> {
         held.along.extend(drum.map(|drum| (drum.coordinate, now.paid_out.per_angle * first)));
     }
 
-    fn carry(&mut self, multiplier: S) {
-        self.inextensible.iter_mut().for_each(|own| own.tension = multiplier);
+    fn carry(&mut self, multipliers: &[S]) {
+        let tension = multipliers.first().copied().unwrap_or(S::ZERO);
+        self.inextensible.iter_mut().for_each(|own| own.tension = tension);
     }
 
     fn let_go(&mut self, modes: &mut [i64]) {

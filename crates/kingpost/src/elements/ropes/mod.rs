@@ -155,7 +155,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
         let points = 2 * self.path.stations().len().saturating_sub(2) + POINTS_OF_LAST_LEG;
         let holds = self.inextensible.is_some();
         Declaration {
-            holds,
+            holds: usize::from(holds),
             goes_alone: holds,
             modes: vec!["condition".to_owned()],
             inputs: self.lever().into_iter().collect(),

@@ -6,39 +6,65 @@ use super::flexible::carrier_in_model;
 use super::{FieldError, known};
 use crate::dynamics::forward::Workspace;
 use crate::dynamics::loops::{LoopSolver, Projection, Row};
-use crate::dynamics::{LinkKinematics, Loads, UnilateralConstraint};
+use crate::dynamics::{LinkKinematics, Loads, TemporaryConstraint};
+use crate::elements::connection::fields::Connection;
 use crate::model::{Attachment, Constraint, Loop, Model, RotationAxis};
 use crate::scenario::leaf::Quantity;
 use crate::simulation::Setup;
 use crate::spatial::{Frame, Vector3, rotation_from_roll_pitch_yaw};
 
-/// Returns the model with the enabled loops between enabled bodies.
+/// Ends of a loop.
+pub(crate) struct Ends<S> {
+    pub(crate) first: Attachment<S>,
+    pub(crate) second: Attachment<S>,
+}
+
+/// Returns the model with the enabled loops between enabled bodies, without those that can be released.
 pub fn build<S: Quantity>(scenario: &Scenario<S>, model: Model<S>) -> Result<Model<S>, FieldError> {
-    let mut loops = Vec::new();
-    for (name, given) in &scenario.loops {
-        let ends = [("first", &given.first), ("second", &given.second)];
-        for (which, end) in ends {
-            let bodies = scenario.bodies.keys().map(|body| body.as_str());
-            known(&format!("loops.{name}.{which}.body"), &end.body, bodies.chain([schema::WORLD]))?;
-        }
-        if given.constraints.is_empty() {
-            return Err(FieldError::new(
-                format!("loops.{name}.constraints"),
-                "an empty list",
-                "at least one constraint",
-            ));
-        }
-        let there =
-            |(_, end): &(&str, &schema::Attachment<S>)| end.named_body().is_none_or(|body| model.body(body).is_some());
-        if given.enabled && ends.iter().all(there) {
-            let place = |(which, end): (&str, &schema::Attachment<S>)| {
-                attachment(scenario, &model, &format!("loops.{name}.{which}.position_m"), end)
-            };
-            let (first, second) = (place(ends[0])?, place(ends[1])?);
-            loops.push(Loop { name: name.to_string(), first, second, constraints: constraints(given) });
-        }
-    }
+    let loops = some(scenario, &model, |given| given.connection.is_none())?;
     Ok(model.with_loops(loops))
+}
+
+/// Returns the enabled loops between enabled bodies that meet a condition.
+fn some<S: Quantity>(
+    scenario: &Scenario<S>,
+    model: &Model<S>,
+    meets: impl Fn(&schema::Loop<S>) -> bool,
+) -> Result<Vec<Loop<S>>, FieldError> {
+    let mut loops = Vec::new();
+    for (name, given) in scenario.loops.iter().filter(|(_, given)| meets(given)) {
+        let Some(Ends { first, second }) = ends(scenario, model, name, given)? else { continue };
+        let named = |(name, constraint): (&'static str, Constraint<S>)| (name.to_owned(), constraint);
+        let constraints = constraints(given).into_iter().map(named).collect();
+        loops.push(Loop { name: name.to_string(), first, second, constraints });
+    }
+    Ok(loops)
+}
+
+/// Returns the ends of a loop; `None` if it, or one of its bodies, is disabled.
+pub(crate) fn ends<S: Quantity>(
+    scenario: &Scenario<S>,
+    model: &Model<S>,
+    name: &str,
+    given: &schema::Loop<S>,
+) -> Result<Option<Ends<S>>, FieldError> {
+    let ends = [("first", &given.first), ("second", &given.second)];
+    for (which, end) in ends {
+        let bodies = scenario.bodies.keys().map(|body| body.as_str());
+        known(&format!("loops.{name}.{which}.body"), &end.body, bodies.chain([schema::WORLD]))?;
+    }
+    if given.constraints.is_empty() {
+        return Err(FieldError::new(format!("loops.{name}.constraints"), "an empty list", "at least one constraint"));
+    }
+    let there =
+        |(_, end): &(&str, &schema::Attachment<S>)| end.named_body().is_none_or(|body| model.body(body).is_some());
+    if !given.enabled || !ends.iter().all(there) {
+        return Ok(None);
+    }
+    let place = |(which, end): (&str, &schema::Attachment<S>)| {
+        attachment(scenario, model, &format!("loops.{name}.{which}.position_m"), end)
+    };
+    Ok(Some(Ends { first: place(ends[0])?, second: place(ends[1])? }))
 }
 
 /// Returns an attachment relative to the centre of mass of its body.
@@ -55,7 +81,7 @@ fn attachment<S: Quantity>(
 }
 
 /// Returns the constraints as types of the engine, with their names.
-fn constraints<S: Quantity>(given: &schema::Loop<S>) -> Vec<(String, Constraint<S>)> {
+pub(crate) fn constraints<S: Quantity>(given: &schema::Loop<S>) -> Vec<(&'static str, Constraint<S>)> {
     let turn = |constraint: &schema::Constraint<S>| match constraint {
         schema::Constraint::Roll => Some(RotationAxis::Roll),
         schema::Constraint::Pitch => Some(RotationAxis::Pitch),
@@ -73,26 +99,28 @@ fn constraints<S: Quantity>(given: &schema::Loop<S>) -> Vec<(String, Constraint<
             schema::Constraint::Yaw => Constraint::rotation(RotationAxis::Yaw, &turns),
             schema::Constraint::Distance(given) => Constraint::Distance(given.length_m.get()),
         };
-        (constraint.name().to_owned(), meant)
+        (constraint.name(), meant)
     };
     given.constraints.iter().map(constraint).collect()
 }
 
 /// Changes the initial positions so that the loops are closed, and the initial velocities so that they stay
-/// closed.
+/// closed: also those that are released later.
 ///
 /// # Errors
 /// A gap larger than the scenario allows, a constraint that depends on others or that no coordinate affects,
 /// a loop that cannot be closed.
 pub fn close<S: Quantity>(scenario: &Scenario<S>, setup: &mut Setup<S>) -> Result<(), FieldError> {
-    let Setup { model, q, v, .. } = setup;
-    if model.loops.is_empty() {
+    let loops = some(scenario, &setup.model, |given| given.connection.as_ref().is_none_or(Connection::begins_closed))?;
+    if loops.is_empty() {
         return Ok(());
     }
+    let Setup { model, q, v, .. } = setup;
+    let model = &model.clone().with_loops(loops);
     let (mut links, mut work, mut loads) = (LinkKinematics::new(model), Workspace::new(model), Loads::new(model));
     let mut solver = LoopSolver::new(model, 0);
     // Ropes are initialised after the loops are closed.
-    let hold = &mut |_: &LinkKinematics<S>, _: &[S], _: &[S], _: &mut [UnilateralConstraint<S>]| {};
+    let hold = &mut |_: &LinkKinematics<S>, _: &[S], _: &[S], _: &mut [TemporaryConstraint<S>]| {};
     let mut on = Projection { model, links: &mut links, work: &mut work, loads: &mut loads, hold };
     solver.begin_at(&mut on, q, v);
     check_start(scenario, model, solver.rows())?;

@@ -28,6 +28,7 @@ pub(crate) mod world;
 use crate::dynamics::LinkKinematics;
 use crate::dynamics::moving_frame::Variation;
 use crate::dynamics::pivots::massless_coordinate;
+use crate::elements::connection::assembly as connections;
 use crate::elements::contact::assembly as contacts;
 use crate::elements::drives::assembly as drives;
 use crate::elements::drives::assembly::cylinders;
@@ -68,6 +69,7 @@ pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
     check_mass_matrix(scenario, &setup)?;
     station::check(&setup)?;
     loops::close(scenario, &mut setup)?;
+    connections::begin(&mut setup);
     cylinders::begin(&mut setup)?;
     ropes_at_start::begin(&mut setup)?;
     line::begin(&mut setup)?;
@@ -89,6 +91,7 @@ pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
 pub fn assemble<S: Quantity>(scenario: &Scenario<S>, alone: &[&Setup]) -> Result<Setup<S>, FieldError> {
     let mut setup = open(scenario)?;
     loops::close(scenario, &mut setup)?;
+    connections::begin(&mut setup);
     cylinders::begin(&mut setup)?;
     ropes_at_start::begin(&mut setup)?;
     line::begin(&mut setup)?;
@@ -110,6 +113,7 @@ fn open<S: Quantity>(scenario: &Scenario<S>) -> Result<Setup<S>, FieldError> {
     let at = Surroundings::new(scenario, &model, &world, (&q, &v));
     let mut elements = assembled(&scenario.forces, at)?;
     elements.extend(in_joints);
+    elements.extend(connections::build(scenario, &model)?);
     elements.extend(in_water);
     // Prescribed joints get their initial rates.
     elements.extend(drives::build(scenario, &model, &world, (&q, &mut v))?);

@@ -3,6 +3,7 @@
 use kingpost_derive::fields;
 
 use super::{Name, NonNegative, Positive, yes};
+use crate::elements::connection::fields::Connection;
 use crate::scenario::leaf::Leaf;
 
 /// A joint that closes a loop, written as constraints between the two bodies that it connects. Give only constraints
@@ -22,6 +23,8 @@ pub struct Loop<S = f64> {
     /// motion of the free joints; a larger one is an error.
     #[serde(default = "start_gap")]
     pub start_gap_m: NonNegative,
+    /// Lets an input release the loop and engage it again; without it, the loop always holds.
+    pub connection: Option<Connection<S>>,
 }
 
 /// The default of `start_gap_m`.

@@ -1,27 +1,31 @@
-//! Temporary constraint of an element, such as a taut inextensible rope.
+//! Temporary constraint of an element: a taut inextensible rope, a connection that can be released.
 
 use super::LinkKinematics;
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::spatial::{Twist, Wrench};
 
-/// A one-sided constraint phi(q) = 0: its force, the multiplier, is positive while it is active, and it
-/// releases when the force would become negative.
+/// A constraint phi(q) = 0 of an element that holds it in some of its modes. The force of a one-sided constraint, the multiplier,
+/// is positive while it is active, and it releases when the force would become negative.
 ///
 /// Its row of J is given by the loads of a unit multiplier on the bodies and along coordinates: `phi' = sum W . V + sum
 /// c q'`, by d'Alembert's principle.
 #[derive(Clone, Debug)]
-pub struct UnilateralConstraint<S = f64> {
+pub struct TemporaryConstraint<S = f64> {
     /// Name of the element.
     pub name: String,
     /// Whether the constraint is active.
     pub acts: bool,
-    /// phi, m.
+    /// Whether its force can only be positive.
+    pub is_one_sided: bool,
+    /// Name of the constraint within the element, and unit of phi.
+    pub part: (&'static str, &'static str),
+    /// phi, m or rad (for an angle, its sine).
     pub residual: S,
-    /// phi', m/s.
+    /// phi', m/s or rad/s.
     pub rate: S,
     /// phi'' for zero spatial acceleration of all bodies, so that each point x has only the acceleration
-    /// omega x x', and constant rates of the coordinates in `along`, m/s^2.
+    /// omega x x', and constant rates of the coordinates in `along`, m/s^2 or rad/s^2.
     pub bias_acceleration: S,
     /// Wrench of a unit multiplier on each body, in body axes about its centre of mass.
     pub wrenches: Vec<(usize, Wrench<S>)>,
@@ -29,11 +33,22 @@ pub struct UnilateralConstraint<S = f64> {
     pub along: Vec<(usize, S)>,
 }
 
-impl<S: Scalar> UnilateralConstraint<S> {
-    /// Creates the restraint of the element with this name; it is not yet active.
+impl<S: Scalar> TemporaryConstraint<S> {
+    /// Creates a restraint of the element with this name: a one-sided one of a length, which is not yet active.
     pub fn new(name: &str) -> Self {
         let (name, wrenches, along) = (name.to_owned(), Vec::new(), Vec::new());
-        Self { name, acts: false, residual: S::ZERO, rate: S::ZERO, bias_acceleration: S::ZERO, wrenches, along }
+        let [residual, rate, bias_acceleration] = [S::ZERO; 3];
+        Self {
+            name,
+            acts: false,
+            is_one_sided: true,
+            part: ("length", "m"),
+            residual,
+            rate,
+            bias_acceleration,
+            wrenches,
+            along,
+        }
     }
 
     /// Removes the loads on the bodies.
