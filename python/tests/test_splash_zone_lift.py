@@ -56,6 +56,25 @@ def test_drag_and_inertia_in_a_deep_regular_wave_add_as_the_root_of_their_square
     assert np.ptp(force) / 2 == pytest.approx(by_hand(6.5, 2.5, 8, 0)[1], rel=1.5e-4)
 
 
+def test_drag_and_inertia_under_a_moving_tip_have_the_largest_sum_of_a_square_and_a_sine() -> None:
+    """Source: the largest F_D sin |sin| + F_M cos, F_D + F_M^2 / (4 F_D) with F_D over F_M / 2. The structure
+    moves more than the tip by the stretch of the rope, that force over 12 MN/m or 11 mm of 2 m; force grows
+    by its first to second power, and the harmonics of the drag stretch the rope a little more."""
+    w = 2 * pi / 8
+    inertia, drag = (MASS_T + ADDED_T) * 2 * w**2, 0.5 * RHO * 2.5 * SHADOW_M2 * (2 * w) ** 2
+    motion = {"oscillation": {"amplitude_m": 2, "period_s": 8, "ramp_s": 24}}
+    joint = {"prismatic": {"name": "tip_heave", "axis": [0, 0, 1], "position_m": [0, 0, 30], "mode": motion}}
+    values = {"bodies.tip.joint": joint, "lowering_rad_s": 0, "height_m": -6.5, "simulation.duration_s": 72}
+    run = kingpost.run(FILE, values, waves=False).sel(time=slice(40, None))
+    hook_load = run.rope_tension.sel(rope="hoist_rope").values / 1e3
+    exact = drag + inertia**2 / (4 * drag)
+    assert drag > inertia / 2
+    assert exact < np.ptp(hook_load) / 2 < exact * (1 + 2.2 * exact / 12e3 / 2)
+    moved = {"tip_heave_m": 2.0, "tip_speed_m_s": 2 * w, "tip_acceleration_m_s2": 2 * w**2}
+    method = kingpost.splash_zone(FILE, waves=False, lowering_speed_m_s=0, **moved)
+    assert float(method.hydrodynamic_force[0, -1]) / 1e3 == pytest.approx(hypot(drag, inertia), rel=1e-5)
+
+
 @pytest.mark.thorough
 @pytest.mark.parametrize("height_m", [1.0, -3.5])
 def test_the_least_hook_load_of_half_an_hour_is_near_that_of_the_simplified_method(height_m: float) -> None:
