@@ -193,6 +193,19 @@ def test_the_report_is_accessible_in_a_browser_without_a_network(
     assert done.returncode == 0, done.stderr
 
 
+def test_a_pdf_without_a_browser_is_refused_before_the_runs(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.delenv(pdf.VARIABLE, raising=False)
+    monkeypatch.setattr(pdf, "BROWSERS", ())
+    file = tmp_path / "study.yaml"
+    limit = "{roll: {column: ship.roll, within: 5, unit: deg}}"
+    file.write_text(f"version: 1\ntitle: Roll\nscenario: barge\nlimits: {limit}\n", encoding="utf-8")
+    assert main(["study", str(file), "-o", str(tmp_path / "runs"), "--report", str(tmp_path / "a.pdf")]) == 2
+    assert "PDF: found no browser" in capsys.readouterr().err
+    assert not (tmp_path / "runs").exists()
+
+
 @pytest.mark.thorough
 def test_the_report_prints_to_pdf(made: tuple[Study, Path, str]) -> None:
     if pdf.find_browser() is None:

@@ -12,7 +12,14 @@ ROOT = Path(__file__).resolve().parents[2]
 LIST = ROOT / "docs" / "words.txt"
 READ = [
     *("*.md", "Makefile", "docs/**/*.md", "benches/*.md", "scenarios/**/*.yaml", "scenarios/**/*.md"),
-    *("docs/job/*.yaml", "python/kingpost/**/*.py", "tools/*.py", "web/src/**/*.ts", "web/index.html"),
+    *(
+        "docs/job/*.yaml",
+        "docs/checked/*.yaml",
+        "python/kingpost/**/*.py",
+        "tools/*.py",
+        "web/src/**/*.ts",
+        "web/index.html",
+    ),
     *("crates/*/src/**/*.rs", "schema/*.json"),
 ]
 # Words of a programming language or of a library, not of ours.

@@ -57,7 +57,7 @@ def run(options: argparse.Namespace) -> int:
     part = _part(options.part)
     _check(options)
     if options.report is not None:
-        check_output(options.report, REPORTS)
+        _check_report(options.report)
     study = Study(options.study)
     warn(f"{WARNING}{words}" for words in study.scenario.model["warnings"])
     if options.screen:
@@ -108,6 +108,14 @@ def _repeat(study: Study, options: argparse.Namespace) -> int:
     recorded = run(study.scenario.with_overrides(study.overrides(options.repeat)))
     note(options, f"written         {results.write(recorded, path)}")
     return DONE
+
+
+def _check_report(path: str) -> None:
+    """Check the ending and, of a PDF, that a browser can print it: before the runs, which may take hours."""
+    from ..study_report import pdf
+
+    if check_output(path, REPORTS).suffix.lower() == ".pdf":
+        pdf.needed_browser()
 
 
 def _write_report(study: Study, folder: Path, options: argparse.Namespace) -> Path:

@@ -33,6 +33,23 @@ def find_browser() -> str | None:
     return given or next((found for name in BROWSERS if (found := shutil.which(name))), None)
 
 
+def needed_browser() -> str:
+    """Find a browser that prints.
+
+    Raises
+    ------
+    KingpostError
+        If there is none.
+    """
+    browser = find_browser()
+    if browser is None:
+        raise KingpostError(
+            f"PDF: found no browser, allowed: Chromium, Chrome or Edge on the path, or named by {VARIABLE}; "
+            "the HTML file prints from any browser"
+        )
+    return browser
+
+
 def write(page: str | Path, path: str | Path) -> Path:
     """Print a page of HTML as a PDF of A4 pages.
 
@@ -53,12 +70,7 @@ def write(page: str | Path, path: str | Path) -> Path:
     KingpostError
         If there is no browser, or it writes no file.
     """
-    browser = find_browser()
-    if browser is None:
-        raise KingpostError(
-            f"PDF: found no browser, allowed: Chromium, Chrome or Edge on the path, or named by {VARIABLE}; "
-            "the HTML file prints from any browser"
-        )
+    browser = needed_browser()
     # Chromium refuses its sandbox to root, as in a container.
     is_root = hasattr(os, "geteuid") and os.geteuid() == 0
     with output.whole(path) as beside, tempfile.TemporaryDirectory() as profile:
