@@ -66,17 +66,30 @@ pub fn compute() -> [(&'static str, Vec<Golden>); 4] {
         ),
     ];
     // The rope becomes taut at 3.8 s, the load slides and leaves the deck, and the step ends at its height.
-    let lift = [(
-        "timeline_until_the_load_is_off",
-        500,
-        json!({
-            "sea.ramp_s": 0,
-            "operation.steps.0.until.after_s": 0.5,
-            "operation.steps.1.set.0.to": -24,
-            "operation.steps.1.set.0.in_s": 5,
-            "operation.steps.1.until.value.above": 4.56,
-        }),
-    )];
+    let until_off = json!({
+        "sea.ramp_s": 0,
+        "operation.steps.0.until.after_s": 0.5,
+        "operation.steps.1.set.0.to": -24,
+        "operation.steps.1.set.0.in_s": 5,
+        "operation.steps.1.until.value.above": 4.56,
+    });
+    // A fastening holds the load on the deck, is cut, and engages again where the load then is.
+    let fastening = json!({
+        "first": {"body": "barge_ship", "position_m": [0, 0, 2.5]},
+        "second": {"body": "lift", "position_m": [0, 0, -1.25]},
+        "constraints": ["x", "y", "z", "roll", "pitch", "yaw"],
+        "connection": {"engages": "where_it_is"},
+    });
+    let cut = json!({
+        "sea.ramp_s": 0,
+        "loops": {"fastening": fastening},
+        "operation.steps": [
+            {"name": "held", "until": {"after_s": 0.5}},
+            {"name": "cut", "set": [{"input": "fastening", "to": 1}], "until": {"after_s": 1}},
+            {"name": "held again", "set": [{"input": "fastening", "to": 0}]},
+        ],
+    });
+    let lift = [("timeline_until_the_load_is_off", 500, until_off), ("fastening_cut_and_engaged", 200, cut)];
     // The inputs of the user form an operation of one step.
     let by_hand = [("hoist", -10.0, 1.0), ("hoist", 3.3, 4.05), ("hoist", 0.0, 7.0)];
     let set = by_hand.map(|(input, to, at_s)| json!({"input": input, "to": to, "at_s": at_s}));
