@@ -35,13 +35,15 @@ def text(scenario: Scenario, coordinates: Sequence[str]) -> str:
             f"total mass: {kilograms(mass)}",
             f"free coordinates ({len(coordinates)}): {', '.join(coordinates)}",
         ],
-        _loops(described["loops"]),
+        _loops("closed loop", described["loops"]),
+        _loops("connection", described["connections"]),
         _parameters(described["parameters"]),
         _elements(described, "drives"),
         _prescribed(described["joints"]),
         _elements(described, "forces"),
         _elements(described, "sensors"),
         _elements(described, "controllers"),
+        _steps(described),
         sea.lines(scenario),
         *splash.sections(scenario),
         *hydrostatics.sections(scenario),
@@ -102,14 +104,40 @@ def _kind(joint: dict[str, Any], afloat: set[str]) -> str:
     return "free" if kind == FREE and joint["body"] not in afloat else kind
 
 
-def _loops(loops: list[dict[str, Any]]) -> list[str]:
+def _loops(what: str, loops: list[dict[str, Any]]) -> list[str]:
     if not loops:
         return []
-    rows = [("closed loop", "between", "constraints")]
+    rows = [(what, "between", "constraints", "")]
     for loop in loops:
         between = f"{loop['first']['body']} and {loop['second']['body']}"
-        rows.append((loop["name"], between, ", ".join(loop["constraints"])))
-    return table(rows, "<<<")
+        state = {None: "", True: "begins released", False: "begins engaged"}[loop.get("begins_released")]
+        rows.append((loop["name"], between, ", ".join(loop["constraints"]), state))
+    return table(rows, "<<<<")
+
+
+def _steps(described: dict[str, Any]) -> list[str]:
+    """The steps of the operation: what each moves, by which drive, and what ends it."""
+    if not described["steps"]:
+        return []
+    kinds = {element["name"]: element["kind"] for element in described["elements"]}
+    kinds |= {connection["name"]: "connection" for connection in described["connections"]}
+    rows = [("step", "operation", "moves", "until", "time-out")]
+    for number, step in enumerate(described["steps"], start=1):
+        moves = [_move(move, kinds) for move in step["moves"]] or [""]
+        limit = "" if step.get("time_out_s") is None else f"{step['time_out_s']:g} s"
+        rows.append((str(number), step["name"], moves[0], step["until"], limit))
+        rows += [("", "", move, "", "") for move in moves[1:]]
+    return table(rows, "><<<>")
+
+
+def _move(move: dict[str, Any], kinds: dict[str, str]) -> str:
+    """Name an input with its element, its new value, and when it moves."""
+    shown, size = engineering(move["unit"])
+    unit = "" if shown == "1" else f" {shown}"
+    kind = f", {kinds[move['input']]}" if move["input"] in kinds else ""
+    begins = f" at {move['at_s']:g} s" if move["at_s"] else ""
+    lasts = f" in {move['in_s']:g} s" if move["in_s"] else ""
+    return f"{move['input']}{kind}: to {move['to'] / size:.6g}{unit}{begins}{lasts}"
 
 
 def _parameters(parameters: list[dict[str, Any]]) -> list[str]:

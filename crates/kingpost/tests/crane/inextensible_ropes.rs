@@ -145,6 +145,21 @@ fn a_pendulum_on_an_inextensible_rope_keeps_its_length_and_energy_by_every_schem
 }
 
 #[test]
+fn every_time_that_an_elastic_rope_comes_taut_is_a_snap() {
+    let text = swinging_ball(
+        "unstretched_length_m: 5, axial_stiffness_kN: 500, damping_time_s: 0",
+        "x: {initial_extension_m: 0}, y: {initial_extension_m: -4, initial_speed_m_s: 0}",
+        "step_s: 0.001, duration_s: 5",
+    );
+    let mut ball = simulation(&text);
+    ball.step(5000).expect("it bounces");
+    let taut = ball.events().iter().filter(|event| event.what == "comes taut").count();
+    assert!(taut > 2 && values(&mut ball, "rope_snaps") == [taut as f64], "{taut}");
+    ball.reset();
+    assert_eq!(values(&mut ball, "rope_snaps"), [0.0]);
+}
+
+#[test]
 fn a_rope_with_a_looping_ball_goes_slack_where_its_tension_vanishes() {
     // From below with v0^2 = 3.5 g l: T = m v^2 / l + m g cos = 0 where cos = -(v0^2 / (g l) - 2) / 3 = -1/2.
     let speed = (3.5 * GRAVITY * 5.0_f64).sqrt();
@@ -199,6 +214,7 @@ fn a_rope_that_becomes_taut_stops_the_motion_along_it_and_its_energy_becomes_hea
     // It does not rebound.
     ball.step(500).unwrap();
     assert_eq!(ball.events().len(), 1);
+    assert_eq!(values(&mut ball, "rope_snaps"), [1.0]);
     assert!((ball.state().q[0].hypot(ball.state().q[1]) - 5.0).abs() < 1e-11);
 }
 

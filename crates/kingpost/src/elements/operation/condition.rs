@@ -136,6 +136,33 @@ impl Condition {
         }
     }
 
+    /// Returns the condition as text.
+    ///
+    /// ```
+    /// use kingpost::elements::operation::{Bound, ColumnRange, Condition};
+    /// let above = Some(Bound::Number(2.0));
+    /// let high = ColumnRange { column: "hook.z".into(), place: 0, above, below: None, unit: ("m".into(), 1.0) };
+    /// let condition = Condition::Holds(5.0, 0, Box::new(Condition::Column(high)));
+    /// assert_eq!(condition.in_words(), "hook.z above 2 m for 5 s");
+    /// ```
+    pub fn in_words(&self) -> String {
+        let linked = |parts: &[Self], link: &str| {
+            let own = |part: &Self| match part {
+                Self::All(_) | Self::Any(_) => format!("({})", part.in_words()),
+                _ => part.in_words(),
+            };
+            parts.iter().map(own).collect::<Vec<_>>().join(link)
+        };
+        match self {
+            Self::After(time_s) => format!("after {time_s} s"),
+            Self::Column(range) => format!("{} {}", range.column, range.bounds_in_words(|_| String::new())),
+            Self::All(parts) => linked(parts, " and "),
+            Self::Any(parts) => linked(parts, " or "),
+            Self::Holds(for_s, _, part) => format!("{} for {for_s} s", part.in_words()),
+            Self::Count(times, _, part) => format!("{}, {times} times", part.in_words()),
+        }
+    }
+
     /// Returns the part of the condition that does not hold, as text for an error.
     pub fn missing<S: Scalar>(&self, now: Now<'_>, kept: &[S]) -> String {
         let of = |conditions: &[Self], link: &str| {
@@ -189,13 +216,20 @@ impl ColumnRange {
     fn missing(&self, columns: &[f64]) -> String {
         let unit = if self.unit.0 == "1" { String::new() } else { format!(" {}", self.unit.0) };
         let found = significant(self.value(columns, self.place), 4);
+        let value = |bound: &Bound| format!(", {}{unit}", significant(self.bound(bound, columns), 4));
+        format!("found {} {found}{unit}, allowed: {}", self.column, self.bounds_in_words(value))
+    }
+
+    /// Returns the bounds as text, the name of a column with its value.
+    fn bounds_in_words(&self, value: impl Fn(&Bound) -> String) -> String {
+        let unit = if self.unit.0 == "1" { String::new() } else { format!(" {}", self.unit.0) };
         let in_words = |bound: &Bound| match bound {
             Bound::Number(number) => format!("{number}{unit}"),
-            Bound::Column(name, _) => format!("{name}, {}{unit}", significant(self.bound(bound, columns), 4)),
+            Bound::Column(name, _) => format!("{name}{}", value(bound)),
         };
         let bounds = [("above", &self.above), ("below", &self.below)];
         let bounds =
             bounds.into_iter().filter_map(|(side, bound)| Some(format!("{side} {}", in_words(bound.as_ref()?))));
-        format!("found {} {found}{unit}, allowed: {}", self.column, bounds.collect::<Vec<_>>().join(" and "))
+        bounds.collect::<Vec<_>>().join(" and ")
     }
 }

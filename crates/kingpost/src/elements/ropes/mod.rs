@@ -158,6 +158,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
             holds: usize::from(holds),
             goes_alone: holds,
             modes: vec!["condition".to_owned()],
+            numbers: vec!["snaps".to_owned()],
             inputs: self.lever().into_iter().collect(),
             outputs: [
                 number("rope_tension", "tension of a rope at its last end", &["N"]),
@@ -173,6 +174,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
                     "length of a rope's path beyond its unstretched length; negative: slack",
                     &["m"],
                 ),
+                number("rope_snaps", "times that a rope came taut after it was slack", &["1"]),
             ]
             .into_iter()
             .chain(leads)
@@ -186,15 +188,8 @@ impl<S: Scalar> Element<S> for Rope<S> {
     }
 
     fn begin(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
-        let now = self.stretched(at);
-        let pull = self.pull_length(&now);
-        own.modes[0] = match (pull.all(|pull| pull >= 0.0), pull.all(|pull| pull < 0.0)) {
-            _ if self.is_let_go(at) => RELEASED,
-            _ if self.inextensible.is_some() => self.held_at_start(at),
-            (true, _) => TAUT,
-            (_, true) => SLACK,
-            _ => BY_STRETCH,
-        };
+        own.numbers[0] = S::ZERO;
+        self.hang(at, own);
     }
 
     fn renew(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
@@ -205,7 +200,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
             own.modes[0] = mode;
             return;
         }
-        self.begin(at, own);
+        self.hang(at, own);
         if own.modes[0] == TAUT {
             self.pull_or_part(at, own);
         }
@@ -239,6 +234,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
         let now = self.stretched(at);
         let ([first, last], _) = self.tensions(at, &now);
         out.extend([last, first, now.unstretched, now.paid_out.rate, now.stretch]);
+        out.push(at.numbers.first().copied().unwrap_or(S::ZERO));
         out.extend(self.path.leads().into_iter().flatten());
         let of_rest = |weight: S| weight.select_below(f64::MIN_POSITIVE, || S::ZERO, || last / weight);
         out.extend(self.carried_mass.map(|mass| of_rest(mass * at.world.gravity)));
@@ -278,7 +274,10 @@ impl<S: Scalar> Element<S> for Rope<S> {
     fn handle_event(&mut self, event: usize, at: &Context<'_, S>, own: &mut ElementState<'_, S>, _v: &mut [S]) {
         match event {
             GOES_SLACK => own.modes[0] = SLACK,
-            COMES_TAUT => self.pull_or_part(at, own),
+            COMES_TAUT => {
+                own.numbers[0] += S::ONE;
+                self.pull_or_part(at, own);
+            }
             IS_HOOKED_ON => own.modes[0] = SLACK,
             PARTS => own.modes[0] = PARTED,
             _ => {}

@@ -52,6 +52,19 @@ impl<S: Scalar> Rope<S> {
         stretch / (self.unstretched_length / self.axial_stiffness + self.series_compliance)
     }
 
+    /// Sets the mode of a rope by its lever and its present stretch.
+    pub(super) fn hang(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
+        let now = self.stretched(at);
+        let pull = self.pull_length(&now);
+        own.modes[0] = match (pull.all(|pull| pull >= 0.0), pull.all(|pull| pull < 0.0)) {
+            _ if self.is_let_go(at) => RELEASED,
+            _ if self.inextensible.is_some() => self.held_at_start(at),
+            (true, _) => TAUT,
+            (_, true) => SLACK,
+            _ => BY_STRETCH,
+        };
+    }
+
     /// Sets the mode of a rope that begins to pull: taut, or parted if its tension, from the damper alone as it comes
     /// taut, exceeds the breaking load.
     pub(super) fn pull_or_part(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {

@@ -3,14 +3,16 @@
 mod afloat;
 mod facts;
 mod in_water;
+mod operation;
 mod units;
 mod warnings;
 
 pub use afloat::{CutSpectrum, HullDescription, MeshDescription, SeaDescription};
 pub use facts::{ElementDescription, Fact};
 pub use in_water::{ImmersionDescription, ObjectInWater};
+pub use operation::{MoveDescription, StepDescription};
 
-use crate::elements::Submerged;
+use crate::elements::{Connection, Submerged, of_kind};
 use crate::model::{Attachment, Loop, Model, Node};
 use crate::scenario::assembly::flexible::{owner, shape};
 use crate::scenario::schema::{self, LIVE_SETTINGS, Parameter, ParameterKind, ParameterValue, Scenario};
@@ -44,6 +46,10 @@ pub struct Description {
     pub joints: Vec<JointDescription>,
     /// The closed loops, in the order of results.
     pub loops: Vec<LoopDescription>,
+    /// The loops that an input releases and engages.
+    pub connections: Vec<ConnectionDescription>,
+    /// The steps of the operation; none without one.
+    pub steps: Vec<StepDescription>,
     /// The forces and the drives.
     pub elements: Vec<ElementDescription>,
     /// Acceleration of gravity, m/s^2; 0 if it is disabled.
@@ -140,6 +146,17 @@ pub struct LoopDescription {
     pub second: PointDescription,
     /// Its constraints, as named in the scenario.
     pub constraints: Vec<String>,
+}
+
+/// A loop that an input releases and engages.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct ConnectionDescription {
+    /// The loop.
+    #[serde(flatten)]
+    pub closed: LoopDescription,
+    /// Whether it begins released.
+    pub begins_released: bool,
 }
 
 /// A limit against which the results of a run are checked.
@@ -243,6 +260,8 @@ impl Scenario {
             bodies: model.bodies.iter().zip(&model.tree.nodes).enumerate().map(body).collect(),
             joints: model.joints.iter().zip(&model.bodies).map(joint).collect(),
             loops: model.loops.iter().map(|closed| describe_loop(model, closed)).collect(),
+            connections: of_kind(elements).map(|connection| describe_connection(model, connection)).collect(),
+            steps: operation::steps(elements),
             elements: facts::elements(self),
             gravity_m_s2: world.gravity,
             sea,
@@ -268,6 +287,13 @@ fn describe_loop(model: &Model, closed: &Loop) -> LoopDescription {
         second: describe_point(model, &closed.second),
         constraints: closed.constraints.iter().map(|(name, _)| name.clone()).collect(),
     }
+}
+
+fn describe_connection(model: &Model, connection: &Connection) -> ConnectionDescription {
+    let [first, second] = connection.ends.each_ref().map(|end| describe_point(model, end));
+    let constraints = connection.constraints.iter().map(|(name, _)| (*name).to_owned()).collect();
+    let closed = LoopDescription { name: connection.name.clone(), first, second, constraints };
+    ConnectionDescription { closed, begins_released: connection.begins_released }
 }
 
 /// Returns the inertia of a body without added mass.
