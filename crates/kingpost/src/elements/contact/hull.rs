@@ -7,15 +7,11 @@ use super::length::{SURFACE_M, choose, length};
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
-/// Smallest thickness of a hull, as a share of its size: far above the rounding with which faces are found.
-const LEAST_THICKNESS: f64 = 1e-6;
+/// Smallest thickness of a hull, as a share of its size: a plate of 10 m by 10 mm, far above `FLATNESS`.
+const LEAST_THICKNESS: f64 = 1e-3;
 
-/// Largest distance of a point outside a face, as a share of the hull's size: rounding of the face's normal.
-const FLATNESS: f64 = 1e-9;
-
-/// Cosine of the angle between two triangles, 0.03 degrees, up to which the line between them is no edge: the corners of one
-/// face, in numbers of four digits.
-const FLAT: f64 = 1.0 - 1.5e-7;
+/// Largest distance of a face's corners from its plane, as a share of the hull's size: corners in numbers of four digits.
+const FLATNESS: f64 = 1e-4;
 
 /// A convex hull of points.
 #[derive(Clone, Debug)]
@@ -24,44 +20,44 @@ pub struct Hull<S = f64> {
     pub corners: Vec<Vector3<S>>,
     /// The corners at both ends of each edge.
     pub edges: Vec<[usize; 2]>,
-    /// The sides of all triangles: edges, and lines across faces of more than three corners.
-    sides: Vec<[usize; 2]>,
-    faces: Vec<Triangle<S>>,
+    faces: Vec<HullFace<S>>,
 }
 
-/// A triangle of the surface: the points p of its plane have `normal . p = offset`.
+/// A face: the points p of its plane have `normal . p = offset`.
 #[derive(Clone, Debug)]
-struct Triangle<S> {
+struct HullFace<S> {
     normal: Vector3<S>,
     offset: S,
     /// In the order of their angle about the normal.
-    corners: [usize; 3],
+    corners: Vec<usize>,
 }
 
 impl<S: Scalar> Hull<S> {
     /// Returns the hull of points; `None` for points near one plane, and if the lanes' hulls have different faces.
     pub fn new(points: &[Vector3<S>]) -> Option<Self> {
         let plain: Vec<Vector> = points.iter().map(|p| Vector::from_array(p.0.map(S::value))).collect();
-        let size = thickness(&plain).filter(|[size, thickness]| *thickness > size * LEAST_THICKNESS)?[0];
-        let (corners, triangles) = try_convex_hull(&plain).ok()?;
-        let given = |corner: &Vector| plain.iter().position(|point| point == corner).map(|i| points[i]);
-        let corners = corners.iter().map(given).collect::<Option<Vec<_>>>()?;
-        let faces: Vec<_> = triangles.iter().map(|t| Triangle::new(&corners, t.map(|i| i as usize))).collect();
-        let is_outside = |face: &Triangle<S>, point: &Vector3<S>| !face.height(*point).all(|x| x <= size * FLATNESS);
-        if faces.iter().any(|face| points.iter().any(|point| is_outside(face, point))) {
+        let [size, thickness] = extent(&plain)?;
+        if thickness < size * LEAST_THICKNESS {
             return None;
         }
-        let on = |[a, b]: [usize; 2]| {
-            faces.iter().filter(move |face| face.corners.contains(&a) && face.corners.contains(&b))
-        };
-        let all = faces.iter().flat_map(|face| face.sides()).filter(|[a, b]| a < b);
-        let sides: Vec<_> = all.collect();
-        let is_sharp = |side: &[usize; 2]| {
-            let normals: Vec<_> = on(*side).map(|face| face.normal).collect();
-            !normals.windows(2).all(|pair| pair[0].dot(pair[1]).value() > FLAT)
-        };
-        let edges = sides.iter().copied().filter(is_sharp).collect();
-        Some(Self { corners, edges, sides, faces })
+        let polygons = polygons(&plain, size)?;
+        let mut used: Vec<usize> = polygons.iter().flatten().copied().collect();
+        used.sort_unstable();
+        used.dedup();
+        let corners: Vec<_> = used.iter().map(|&i| points[i]).collect();
+        let place = |i: usize| used.binary_search(&i).ok();
+        let faces = polygons.iter().map(|polygon| {
+            Some(HullFace::new(&corners, polygon.iter().map(|&i| place(i)).collect::<Option<Vec<_>>>()?))
+        });
+        let faces = faces.collect::<Option<Vec<_>>>()?;
+        let sides: Vec<_> = faces.iter().flat_map(HullFace::sides).collect();
+        let edges: Vec<_> = sides.iter().copied().filter(|[a, b]| a < b).collect();
+        // Each edge is a side of two faces, once in each direction, and Euler's formula holds.
+        let is_closed = edges.iter().all(|[a, b]| sides.iter().filter(|side| **side == [*b, *a]).count() == 1)
+            && sides.len() == 2 * edges.len()
+            && corners.len() + faces.len() == edges.len() + 2;
+        let is_inside = |face: &HullFace<S>| points.iter().all(|p| face.height(*p).all(|x| x <= size * FLATNESS));
+        (is_closed && faces.iter().all(is_inside)).then_some(Self { corners, edges, faces })
     }
 
     /// Returns the distance of a point from the surface, m, negative inside, and its gradient.
@@ -91,7 +87,7 @@ impl<S: Scalar> Hull<S> {
             nearest = Vector3(choose(squared, least, off.0, nearest.0));
             least = squared.select_less(least, || squared, || least);
         };
-        for [a, b] in &self.sides {
+        for [a, b] in &self.edges {
             let (from, along) = (point - self.corners[*a], self.corners[*b] - self.corners[*a]);
             let share = (from.dot(along) / along.norm_squared()).clipped(S::ZERO, S::ONE);
             let off = from - along * share;
@@ -108,36 +104,88 @@ impl<S: Scalar> Hull<S> {
     }
 }
 
-impl<S: Scalar> Triangle<S> {
-    fn new(points: &[Vector3<S>], corners: [usize; 3]) -> Self {
-        let [a, b, c] = corners.map(|i| points[i]);
-        let area = (b - a).cross(c - a);
+impl<S: Scalar> HullFace<S> {
+    fn new(points: &[Vector3<S>], corners: Vec<usize>) -> Self {
+        let first = points[corners[0]];
+        let area = corners[1..]
+            .windows(2)
+            .fold(Vector3::zero(), |sum, pair| sum + (points[pair[0]] - first).cross(points[pair[1]] - first));
         let normal = area * (S::ONE / length(area));
-        Self { normal, offset: normal.dot(a), corners }
-    }
-
-    /// Returns the two corners of each side, in order.
-    fn sides(&self) -> [[usize; 2]; 3] {
-        let [a, b, c] = self.corners;
-        [[a, b], [b, c], [c, a]]
+        let sum = corners.iter().fold(S::ZERO, |sum, &i| sum + normal.dot(points[i]));
+        Self { normal, offset: sum / S::constant(corners.len() as f64), corners }
     }
 
     fn height(&self, point: Vector3<S>) -> S {
         self.normal.dot(point) - self.offset
     }
 
+    /// Returns the two corners of each side, in order.
+    fn sides(&self) -> Vec<[usize; 2]> {
+        let next = self.corners.iter().cycle().skip(1);
+        self.corners.iter().zip(next).map(|(a, b)| [*a, *b]).collect()
+    }
+
     /// Returns a number that is negative if the point is beside the face.
     fn beside(&self, points: &[Vector3<S>], point: Vector3<S>) -> S {
-        self.sides().iter().fold(S::constant(f64::MAX), |least, [a, b]| {
+        let next = self.corners.iter().cycle().skip(1);
+        self.corners.iter().zip(next).fold(S::constant(f64::MAX), |least, (a, b)| {
             let inward = self.normal.cross(points[*b] - points[*a]).dot(point - points[*a]);
             inward.select_less(least, || inward, || least)
         })
     }
 }
 
-/// Returns the largest distance between a point and the first, and the distance of a point from the plane through three that
-/// are far apart.
-fn thickness(points: &[Vector]) -> Option<[f64; 2]> {
+/// Returns the corners of each face, counterclockwise from outside: triangles in one plane are one face.
+fn polygons(points: &[Vector], size: f64) -> Option<Vec<Vec<usize>>> {
+    let (corners, triangles) = try_convex_hull(points).ok()?;
+    let flat = size * FLATNESS;
+    let mut planes: Vec<(Vector, f64)> = Vec::new();
+    let mut areas: Vec<_> = triangles.iter().map(|t| t.map(|i| corners[i as usize])).collect();
+    // The largest triangle of a face has the best normal.
+    let area = |t: &[Vector; 3]| (t[1] - t[0]).cross(t[2] - t[0]);
+    areas.sort_by(|a, b| area(b).length().total_cmp(&area(a).length()));
+    for triangle in areas {
+        let Some(normal) = area(&triangle).try_normalize() else { continue };
+        let is_in = |(normal, offset): &(Vector, f64)| triangle.iter().all(|p| (normal.dot(*p) - offset).abs() <= flat);
+        if !planes.iter().any(is_in) {
+            planes.push((normal, normal.dot(triangle[0])));
+        }
+    }
+    planes.iter().map(|(normal, offset)| polygon(points, (*normal, *offset), flat)).collect()
+}
+
+/// Returns the corners of the convex polygon of all points in a plane: each next one has all the others on its left.
+fn polygon(points: &[Vector], (normal, offset): (Vector, f64), flat: f64) -> Option<Vec<usize>> {
+    let on: Vec<usize> = (0..points.len()).filter(|&i| (normal.dot(points[i]) - offset).abs() <= flat).collect();
+    let start = *on.iter().max_by(|a, b| {
+        let [a, b] = [points[**a].to_array(), points[**b].to_array()];
+        a.partial_cmp(&b).unwrap_or(core::cmp::Ordering::Equal)
+    })?;
+    let mut found = vec![start];
+    loop {
+        let from = *found.last()?;
+        let off = |i: usize| points[i] - points[from];
+        let mut ahead = on.iter().copied().filter(|&i| off(i).length() > flat);
+        let first = ahead.next()?;
+        let next = ahead.fold(first, |best, i| {
+            let turn = normal.dot(off(best).cross(off(i)));
+            let along = flat * off(best).length().max(off(i).length());
+            // Of points in one line, the farthest.
+            if turn < -along || (turn <= along && off(i).length() > off(best).length()) { i } else { best }
+        });
+        if (points[next] - points[start]).length() <= flat {
+            return (found.len() > 2).then_some(found);
+        }
+        if found.len() == on.len() {
+            return None;
+        }
+        found.push(next);
+    }
+}
+
+/// Returns the largest distance between a point and the first, and the smallest of the distances of a point from a line
+/// through two and from the plane through three that are far apart.
+fn extent(points: &[Vector]) -> Option<[f64; 2]> {
     let first = *points.first()?;
     let farthest = |measure: &dyn Fn(Vector) -> f64| {
         points.iter().map(|p| *p - first).fold((Vector::ZERO, 0.0), |(best, most), off| {
@@ -148,6 +196,5 @@ fn thickness(points: &[Vector]) -> Option<[f64; 2]> {
     let (across, area) = farthest(&|off| along.cross(off).length());
     let normal = along.cross(across);
     let (_, volume) = farthest(&|off| normal.dot(off).abs());
-    let thickness = [area / size, volume / area].into_iter().fold(f64::MAX, f64::min);
-    Some([size, if size > 0.0 && area > 0.0 { thickness } else { 0.0 }])
+    (size > 0.0 && area > 0.0 && volume.is_finite()).then(|| [size, (area / size).min(volume / area)])
 }

@@ -13,8 +13,8 @@ const MOST_POINTS: usize = 64;
 /// Bulge of a cylinder's ends, as a share of its radius.
 const BULGE: f64 = 0.02;
 
-/// Crown of a line or an arc, as a share of half its length: 1 mm on a bar of 10 m.
-const CROWN: f64 = 2e-4;
+/// Crown of a line or an arc, as a share of half its length: 5 mm on a bar of 10 m, within the usual penetration.
+const CROWN: f64 = 1e-3;
 
 /// Number of arcs of a ring, each with one contact point.
 const ARCS: usize = 8;
