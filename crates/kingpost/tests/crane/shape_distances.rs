@@ -298,8 +298,8 @@ fn every_set_of_points_has_a_hull_or_none() {
             let sum = hull.corners.iter().fold(Vector3::zero(), |sum, corner| sum + *corner);
             let middle = solid.distance(sum * (1.0 / hull.corners.len() as f64)).0;
             assert!(middle < 0.0, "{middle} {case} {hull:?} {points:?}");
-        } else if case % 5 >= 3 {
-            // Few points in general position may be near one plane.
+        } else if case % 5 >= 3 && case % 3 > 0 {
+            // Few points may be near one plane by chance.
             refused += usize::from(count > 6);
         }
     }

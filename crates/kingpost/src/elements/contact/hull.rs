@@ -40,11 +40,15 @@ impl<S: Scalar> Hull<S> {
         if thickness < size * LEAST_THICKNESS {
             return None;
         }
+        // Of points that are one but for `FLATNESS`, the first.
+        let is_new = |&i: &usize| plain[..i].iter().all(|other| (plain[i] - other).length() > size * FLATNESS);
+        let kept: Vec<usize> = (0..plain.len()).filter(is_new).collect();
+        let plain: Vec<Vector> = kept.iter().map(|&i| plain[i]).collect();
         let polygons = polygons(&plain, size)?;
         let mut used: Vec<usize> = polygons.iter().flatten().copied().collect();
         used.sort_unstable();
         used.dedup();
-        let corners: Vec<_> = used.iter().map(|&i| points[i]).collect();
+        let corners: Vec<_> = used.iter().map(|&i| points[kept[i]]).collect();
         let place = |i: usize| used.binary_search(&i).ok();
         let faces = polygons.iter().map(|polygon| {
             Some(HullFace::new(&corners, polygon.iter().map(|&i| place(i)).collect::<Option<Vec<_>>>()?))
