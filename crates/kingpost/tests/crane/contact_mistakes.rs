@@ -66,7 +66,7 @@ fn an_invalid_contact_is_refused_at_its_place() {
         (
             "shape: {box: {length_m: 2, width_m: 1, height_m: 1}}}\n      surface",
             "shape: {cone: {half_angle_deg: 90, length_m: 1}}}\n      surface",
-            "forces.deck.contact.load.shape.cone.half_angle_rad: found 90.000 degrees, allowed: 0.1 to 89.9 degrees",
+            "forces.deck.contact.load.shape.cone.half_angle_rad: found 1.5707963267948966, allowed: 0.0017 to 1.5691 rad",
         ),
         (
             "shape: {box: {length_m: 2, width_m: 1, height_m: 1}}}\n      surface",

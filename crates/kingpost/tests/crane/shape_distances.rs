@@ -1,6 +1,6 @@
 //! Distances between solids, and of points and curves from them, against other libraries and closed forms.
 
-use kingpost::elements::contact::{ContactSolid, Curve, Hull, Spot};
+use kingpost::elements::contact::{ContactSolid, ConvexHull, Curve, Spot};
 use kingpost::model::Axis;
 use kingpost::scalar::{Dual, Lanes, Scalar};
 use kingpost::spatial::{Frame, Vector3, rotation_from_roll_pitch_yaw};
@@ -15,7 +15,7 @@ const TETRAHEDRON: [[f64; 3]; 5] =
 
 fn hull<S: Scalar>(points: &[[f64; 3]]) -> ContactSolid<S> {
     let points: Vec<_> = points.iter().map(|point| Vector3::constant(*point)).collect();
-    ContactSolid::Convex(Hull::new(&points).expect("a hull"))
+    ContactSolid::Convex(ConvexHull::new(&points).expect("a hull"))
 }
 
 /// Returns one solid of each kind that has an inside.
@@ -290,7 +290,7 @@ fn every_set_of_points_has_a_hull_or_none() {
             3 => points.push(points[0]),
             _ => {}
         }
-        if let Some(hull) = Hull::new(&points) {
+        if let Some(hull) = ConvexHull::new(&points) {
             assert!(hull.corners.len() >= 4 && hull.edges.len() >= 6);
             // A corner is on the surface, the middle inside it.
             let solid = ContactSolid::Convex(hull.clone());

@@ -16,6 +16,9 @@ const FEW: usize = 3;
 /// Numbers of a hull's core: 32 corners.
 const MANY: usize = 96;
 
+/// Largest distance of a corner from the supporting plane that it is on, as a share of the size: GJK's own error.
+const ON_PLANE: f64 = 1e-6;
+
 impl<S: Scalar> ContactSolid<S> {
     /// Returns the distance of another solid from this one, m; if they overlap, the negative of the shortest displacement
     /// that parts them. `seen` is the other's frame in this one's axes.
@@ -32,7 +35,7 @@ impl<S: Scalar> ContactSolid<S> {
     /// assert_eq!(deck.distance_to(&ball, &Frame::translation(Vector3::new(13.0, 0.0, 5.0))), 4.5);
     /// ```
     pub fn distance_to(&self, other: &Self, seen: &Frame<S>) -> S {
-        let (normal, nearest) = match (self, other) {
+        let Nearest { normal, point, shares } = match (self, other) {
             (Self::Plane { normal }, _) => {
                 return normal.dot(seen.position) - other.reach(seen.rotation.transpose_times(-*normal));
             }
@@ -43,8 +46,20 @@ impl<S: Scalar> ContactSolid<S> {
             _ => self.separating(other, seen),
         };
         let plain = Matrix3::from_fn(|i, j| seen.rotation.row(i)[j].plain());
-        let turning = normal.dot(seen.rotation * nearest - plain * nearest);
-        normal.dot(seen.position) - self.reach(normal) - other.reach(plain.transpose_times(-normal)) + turning
+        let turning = normal.dot(seen.rotation * point - plain * point);
+        let theirs = plain.transpose_times(-normal);
+        let reaches = self.reach_at(normal, &shares[0]) + other.reach_at(theirs, &shares[1]);
+        normal.dot(seen.position) - reaches + turning
+    }
+
+    /// Returns the support function along a vector without derivatives. That of a hull has the derivatives of the nearest
+    /// point: of each corner by its share in it, also where that point is within an edge or a face.
+    fn reach_at(&self, along: Vector3<S>, shares: &[S]) -> S {
+        let Self::Convex(hull) = self else { return self.reach(along) };
+        hull.corners.iter().zip(shares).fold(self.reach(along).plain(), |sum, (corner, share)| {
+            let reach = along.dot(*corner);
+            sum + *share * (reach - reach.plain())
+        })
     }
 
     /// Returns the support function: the largest component of the solid's points along a unit vector, m.
@@ -74,9 +89,8 @@ impl<S: Scalar> ContactSolid<S> {
         }
     }
 
-    /// Returns the unit normal, out of this solid, of the two parallel planes between which the gap is largest, and the
-    /// other's point on its plane, in the other's axes; both without derivatives.
-    fn separating(&self, other: &Self, seen: &Frame<S>) -> (Vector3<S>, Vector3<S>) {
+    /// Returns the two parallel planes between which the gap is largest.
+    fn separating(&self, other: &Self, seen: &Frame<S>) -> Nearest<S> {
         let few = !matches!((self, other), (Self::Convex(_), _) | (_, Self::Convex(_)));
         let room = if few { FEW } else { MANY };
         let mut numbers: Vec<S> = (0..3).flat_map(|j| seen.rotation.column(j).0).chain(seen.position.0).collect();
@@ -86,17 +100,15 @@ impl<S: Scalar> ContactSolid<S> {
             numbers.append(&mut core);
             kind
         });
-        let nearest = |given: &[f64]| {
-            let (pose, cores) = given.split_at(12);
-            let (own, others) = cores.split_at(room);
-            nearest(pose, &Core { kind: kinds[0], numbers: own }, &Core { kind: kinds[1], numbers: others })
-        };
-        let [a, b, c, x, y, z] = if few {
-            S::from_values::<{ 12 + 2 * FEW }, 6>(core::array::from_fn(|i| numbers[i]), &|given| nearest(&given))
+        let found: Vec<S> = if few {
+            S::from_values::<{ 12 + 2 * FEW }, 6>(core::array::from_fn(|i| numbers[i]), &|given| nearest(kinds, &given))
+                .to_vec()
         } else {
-            S::from_values::<{ 12 + 2 * MANY }, 6>(core::array::from_fn(|i| numbers[i]), &|given| nearest(&given))
+            let numbers = core::array::from_fn(|i| numbers[i]);
+            S::from_values::<{ 12 + 2 * MANY }, { 6 + 2 * MANY / 3 }>(numbers, &|given| nearest(kinds, &given)).to_vec()
         };
-        (Vector3([a, b, c]), Vector3([x, y, z]))
+        let shares = [0, 1].map(|k| found[6..].chunks(MANY / 3).nth(k).map(<[S]>::to_vec).unwrap_or_default());
+        Nearest { normal: Vector3::from_slice(&found), point: Vector3::from_slice(&found[3..]), shares }
     }
 
     /// Returns the solid without the ball that is added all around it.
@@ -114,6 +126,16 @@ impl<S: Scalar> ContactSolid<S> {
             }
         }
     }
+}
+
+/// Two parallel planes that touch two solids, without derivatives.
+struct Nearest<S> {
+    /// Unit normal, out of the first.
+    normal: Vector3<S>,
+    /// The second's point on its plane, in its axes, m.
+    point: Vector3<S>,
+    /// Shares of the corners of each hull in its point on its plane.
+    shares: [Vec<S>; 2],
 }
 
 /// The kind of a core, and how many corners or which axis it has.
@@ -160,23 +182,76 @@ impl SupportMap for Core<'_> {
     }
 }
 
-/// Returns the unit normal between two cores and the nearest point of the other in its axes, by GJK, or by EPA if they overlap.
-fn nearest(pose: &[f64], own: &Core<'_>, other: &Core<'_>) -> [f64; 6] {
+/// Returns the unit normal between two cores and the nearest point of the other in its axes, by GJK, or by EPA if they overlap;
+/// then, if there is room, the shares of the corners of both.
+fn nearest<const N: usize>(kinds: [CoreKind; 2], given: &[f64]) -> [f64; N] {
+    let (pose, cores) = given.split_at(12);
+    let (own, others) = cores.split_at(cores.len() / 2);
+    let [own, other] = [&Core { kind: kinds[0], numbers: own }, &Core { kind: kinds[1], numbers: others }];
     let [x, y, z, position] = [0, 3, 6, 9].map(|i| Vector::from_slice(&pose[i..i + 3]));
     let pose = Pose::from_parts(position, Rotation::from_mat3(&Matrix::from_cols(x, y, z)));
-    let apart = (position.try_normalize().unwrap_or(Vector::Z), Vector::ZERO);
-    let (normal, point) = match (own.kind, other.kind) {
+    let apart = [position.try_normalize().unwrap_or(Vector::Z), Vector::ZERO, Vector::ZERO];
+    let [normal, point, of_own] = match (own.kind, other.kind) {
         (CoreKind::Point, CoreKind::Point) => apart,
         _ => {
             let mut simplex = VoronoiSimplex::new();
             match contact_support_map_support_map_with_params(&pose, own, other, f64::MAX, &mut simplex, None) {
-                GJKResult::ClosestPoints(_, point, normal) if normal.is_finite() && point.is_finite() => {
-                    (normal, pose.inverse_transform_point(point))
+                GJKResult::ClosestPoints(of_own, point, normal) if normal.is_finite() && point.is_finite() => {
+                    [normal, pose.inverse_transform_point(point), of_own]
                 }
                 _ => apart,
             }
         }
     };
-    let ([a, b, c], [x, y, z]) = (normal.to_array(), point.to_array());
-    [a, b, c, x, y, z]
+    let mut found = [0.0; N];
+    found[..3].copy_from_slice(&normal.to_array());
+    found[3..6].copy_from_slice(&point.to_array());
+    let shares = [(own, normal, of_own), (other, pose.rotation.inverse() * -normal, point)];
+    for (room, (core, normal, point)) in found[6..].chunks_mut(MANY / 3).zip(shares) {
+        core.write_shares(normal, point, room);
+    }
+    found
+}
+
+impl Core<'_> {
+    /// Writes the shares of the corners in the point of a supporting plane: of the three corners on that plane around the
+    /// point, or two, or the one. Others have none.
+    fn write_shares(&self, normal: Vector, point: Vector, room: &mut [f64]) {
+        let CoreKind::Corners(count) = self.kind else { return };
+        let corners: Vec<Vector> = self.numbers.chunks_exact(3).take(count).map(Vector::from_slice).collect();
+        let heights: Vec<f64> = corners.iter().map(|corner| normal.dot(*corner)).collect();
+        let top = heights.iter().copied().fold(f64::MIN, f64::max);
+        let size = corners.iter().map(|corner| (*corner - point).length()).fold(0.0, f64::max);
+        let on: Vec<usize> = (0..count).filter(|&i| top - heights[i] <= size * ON_PLANE).collect();
+        let mut best = (f64::MIN, [(0, 0.0); 3]);
+        for (k, &a) in on.iter().enumerate() {
+            for (l, &b) in on.iter().enumerate().skip(k) {
+                for &c in &on[l..] {
+                    let shares = barycentric([corners[a], corners[b], corners[c]], point);
+                    let there = corners[a] * shares[0] + corners[b] * shares[1] + corners[c] * shares[2];
+                    // The triangle around the point, or the one that is nearest to be.
+                    let least = shares.iter().copied().fold(0.0, f64::min) - (there - point).length() / size;
+                    if least > best.0 {
+                        best = (least, [(a, shares[0]), (b, shares[1]), (c, shares[2])]);
+                    }
+                }
+            }
+        }
+        for (i, share) in best.1 {
+            room[i] += share;
+        }
+    }
+}
+
+/// Returns the barycentric coordinates of the point of a triangle, or of a line or point, nearest to a point.
+fn barycentric([a, b, c]: [Vector; 3], point: Vector) -> [f64; 3] {
+    let (u, v, w) = (b - a, c - a, point - a);
+    let area = u.cross(v);
+    if let Some(scale) = Some(area.length_squared()).filter(|area| *area > 0.0) {
+        let [of_b, of_c] = [w.cross(v), u.cross(w)].map(|part| part.dot(area) / scale);
+        return [1.0 - of_b - of_c, of_b, of_c];
+    }
+    let along = if v.length_squared() > u.length_squared() { v } else { u };
+    let share = if along.length_squared() > 0.0 { w.dot(along) / along.length_squared() } else { 0.0 };
+    if along == v { [1.0 - share, 0.0, share] } else { [1.0 - share, share, 0.0] }
 }

@@ -44,7 +44,7 @@ pub struct Approach<S> {
 
 /// A point of the curve with the distance and its slope along t.
 #[derive(Clone, Copy)]
-struct Sample<S> {
+struct CurvePoint<S> {
     point: Vector3<S>,
     distance: S,
     gradient: Vector3<S>,
@@ -100,10 +100,10 @@ impl<S: Scalar> Curve<S> {
         }
     }
 
-    fn sample(&self, solid: &ContactSolid<S>, crown: S, t: S) -> Sample<S> {
+    fn sample(&self, solid: &ContactSolid<S>, crown: S, t: S) -> CurvePoint<S> {
         let (point, along) = self.at(t);
         let (distance, gradient) = solid.distance(point);
         let slope = gradient.dot(along) + crown * t * S::constant(2.0);
-        Sample { point, distance: distance + crown * t * t, gradient, slope }
+        CurvePoint { point, distance: distance + crown * t * t, gradient, slope }
     }
 }

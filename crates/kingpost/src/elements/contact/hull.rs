@@ -15,7 +15,7 @@ const FLATNESS: f64 = 1e-4;
 
 /// A convex hull of points.
 #[derive(Clone, Debug)]
-pub struct Hull<S = f64> {
+pub struct ConvexHull<S = f64> {
     /// Its corners, m.
     pub corners: Vec<Vector3<S>>,
     /// The corners at both ends of each edge.
@@ -32,7 +32,7 @@ struct HullFace<S> {
     corners: Vec<usize>,
 }
 
-impl<S: Scalar> Hull<S> {
+impl<S: Scalar> ConvexHull<S> {
     /// Returns the hull of points; `None` for points near one plane, and if the lanes' hulls have different faces.
     pub fn new(points: &[Vector3<S>]) -> Option<Self> {
         let plain: Vec<Vector> = points.iter().map(|p| Vector::from_array(p.0.map(S::value))).collect();

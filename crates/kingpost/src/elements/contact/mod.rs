@@ -16,7 +16,7 @@ mod watch;
 
 pub use curve::Curve;
 pub use friction::Friction;
-pub use hull::Hull;
+pub use hull::ConvexHull;
 pub use restitution::dissipation;
 pub use solid::ContactSolid;
 pub use spot::Spot;

@@ -1,6 +1,6 @@
 //! The distance of a point from a solid.
 
-use super::hull::Hull;
+use super::hull::ConvexHull;
 use super::length::{SURFACE_M, choose, length, root};
 use crate::model::Axis;
 use crate::scalar::Scalar;
@@ -50,7 +50,7 @@ pub enum ContactSolid<S = f64> {
         length: S,
     },
     /// A convex hull of points.
-    Convex(Hull<S>),
+    Convex(ConvexHull<S>),
 }
 
 impl<S: Scalar> ContactSolid<S> {

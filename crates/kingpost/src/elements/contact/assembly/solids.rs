@@ -1,6 +1,6 @@
 //! Solids of contacts and clearances, from their fields.
 
-use crate::elements::contact::{ContactSolid, Hull};
+use crate::elements::contact::{ContactSolid, ConvexHull};
 use crate::scenario::assembly::FieldError;
 use crate::scenario::assembly::bodies::axis;
 use crate::scenario::leaf::Quantity;
@@ -42,22 +42,20 @@ pub(crate) fn capsule<S: Quantity>(given: &schema::CapsuleShape<S>) -> ContactSo
 pub(crate) fn cone<S: Quantity>(given: &schema::ConeShape<S>, field: &str) -> Result<ContactSolid<S>, FieldError> {
     let angle = given.half_angle_rad.get();
     if !angle.all(|angle| (LEAST_ANGLE..=core::f64::consts::FRAC_PI_2 - LEAST_ANGLE).contains(&angle)) {
-        let degrees = LEAST_ANGLE.to_degrees();
-        let allowed = format!("{degrees:.1} to {:.1} degrees", 90.0 - degrees);
-        let found = format!("{:.3} degrees", angle.value().to_degrees());
-        return Err(FieldError::new(format!("{field}.half_angle_rad"), found, allowed));
+        let allowed = "0.0017 to 1.5691 rad, which is 0.1 to 89.9 degrees";
+        return Err(FieldError::new(format!("{field}.half_angle_rad"), given.half_angle_rad, allowed));
     }
     Ok(ContactSolid::Cone { half_angle: angle.sin_cos(), length: given.length_m.get() })
 }
 
-pub(crate) fn convex<S: Quantity>(given: &schema::ConvexShape<S>, field: &str) -> Result<Hull<S>, FieldError> {
+pub(crate) fn convex<S: Quantity>(given: &schema::ConvexShape<S>, field: &str) -> Result<ConvexHull<S>, FieldError> {
     let (found, [least, most]) = (given.positions_m.len(), POINTS);
     let refused = |found: String, allowed: String| FieldError::new(format!("{field}.positions_m"), found, allowed);
     if !(least..=most).contains(&found) {
         return Err(refused(format!("{found} points"), format!("{least} to {most} points")));
     }
     let points: Vec<_> = given.positions_m.iter().map(|point| Vector3(*point)).collect();
-    Hull::new(&points).ok_or_else(|| {
+    ConvexHull::new(&points).ok_or_else(|| {
         let allowed = "points that are not in one plane, and whose hull has the same faces in every run of a batch";
         refused("points without a convex hull".to_owned(), allowed.to_owned())
     })
