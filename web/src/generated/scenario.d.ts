@@ -2880,7 +2880,38 @@ export type ContactLoad = {
       }
     | {
         points: ContactPoints;
+      }
+    | {
+        capsule: CapsuleShape;
+      }
+    | {
+        cone: ConeShape;
+      }
+    | {
+        ring: RingShape;
+      }
+    | {
+        convex: ConvexShape;
       };
+};
+/**
+ * A circular cone: its tip is at the shape's position and points along z.
+ */
+export type ConeShape = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Angle between the axis and the side, below 90 degrees, rad.
+   */
+  half_angle_rad?: number;
+  /**
+   * The same as `half_angle_rad`, in the unit of this name.
+   */
+  half_angle_deg?: number;
+  /**
+   * Distance of the base from the tip, m.
+   */
+  length_m: number;
 };
 /**
  * The surface that the load touches: a deck, a quay, the seabed, a bumper.
@@ -2923,6 +2954,21 @@ export type ContactSurface = {
       }
     | {
         sphere: SphereShape;
+      }
+    | {
+        cylinder: CylinderShape;
+      }
+    | {
+        capsule: CapsuleShape;
+      }
+    | {
+        cone: ConeShape;
+      }
+    | {
+        ring: RingShape;
+      }
+    | {
+        convex: ConvexShape;
       };
 };
 /**
@@ -4088,7 +4134,7 @@ export type ForceErrors = {
   resolution_kN?: number;
 };
 /**
- * The point or solid from which the clearance is measured.
+ * The point or solid.
  */
 export type ClearanceFrom = {
   /**
@@ -4127,7 +4173,7 @@ export type ClearanceFrom = {
   shape?: ClearanceShape | null;
 };
 /**
- * The solid from which the clearance is measured.
+ * A solid whose clearance is measured.
  */
 export type ClearanceShape =
   | "own"
@@ -4142,7 +4188,55 @@ export type ClearanceShape =
     }
   | {
       sphere: SphereShape;
+    }
+  | {
+      capsule: CapsuleShape;
+    }
+  | {
+      cone: ConeShape;
+    }
+  | {
+      convex: ConvexShape;
     };
+/**
+ * The point or solid from which the clearance is measured.
+ */
+export type ClearanceFrom1 = {
+  /**
+   * The body, or `world`.
+   */
+  body: string;
+  /**
+   * The name of one of the body's `points`.
+   */
+  point?: string | null;
+  /**
+   * The point, a point of the plane, or the centre of the solid, in the body's drawing frame, m; measured from the
+   * named point if one is given.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+  /**
+   * Orientation of the solid's axes in the body's: roll, pitch, yaw, rad.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_rad?: [number, number, number];
+  /**
+   * The same as `orientation_rad`, in the unit of this name.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  orientation_deg?: [number, number, number];
+  /**
+   * The solid; without it, the distance is to the point.
+   */
+  shape?: ClearanceShape | null;
+};
 /**
  * Controller between a command, of a user or of the operation, and an input. Its own command is an input with its
  * name. A controller may stand before another.
@@ -5557,6 +5651,45 @@ export interface ContactPoints {
   positions_m: [number, number, number][];
 }
 /**
+ * A circular cylinder with round ends.
+ */
+export interface CapsuleShape {
+  /**
+   * Radius, m.
+   */
+  radius_m: number;
+  /**
+   * Distance between the centres of the two round ends, m.
+   */
+  length_m: number;
+  /**
+   * The axis that it lies along.
+   */
+  axis?: "x" | "y" | "z";
+}
+/**
+ * A ring of round bar about z.
+ */
+export interface RingShape {
+  /**
+   * Radius of the circle in the middle of the bar, m.
+   */
+  radius_m: number;
+  /**
+   * Radius of the bar, below that of the circle, m.
+   */
+  bar_radius_m: number;
+}
+/**
+ * The convex hull of points that are not in one plane.
+ */
+export interface ConvexShape {
+  /**
+   * Positions from the shape's centre, in its axes, m; 4 to 32.
+   */
+  positions_m: [number, number, number][];
+}
+/**
  * A plane.
  */
 export interface ContactPlane {
@@ -6208,36 +6341,17 @@ export interface SatelliteReceiver {
   drop_outs?: DropOuts | null;
 }
 /**
- * The distance of a point from another point or from a solid, as `clearance` (m) in the results; negative inside a
- * solid. It is only an output: no force keeps the two apart.
+ * The distance between two points or solids, as `clearance` (m) in the results. Of a point inside a solid it is the
+ * negative distance from the surface; of overlapping solids, the negative of the shortest displacement that parts them. It is
+ * only an output: no force keeps the two apart.
  */
 export interface Clearance {
   /**
    * Whether the clearance is measured.
    */
   enabled?: boolean;
-  first: OwnPoint;
-  second: ClearanceFrom;
-}
-/**
- * The point.
- */
-export interface OwnPoint {
-  /**
-   * The body, or `world`.
-   */
-  body: string;
-  /**
-   * The name of one of the body's `points`.
-   */
-  point?: string | null;
-  /**
-   * The point in the body's drawing frame, m; measured from the named point if one is given.
-   *
-   * @minItems 3
-   * @maxItems 3
-   */
-  position_m?: [number, number, number];
+  first: ClearanceFrom;
+  second: ClearanceFrom1;
 }
 /**
  * The height of a point above the surface of the incident waves at that point, as `air_gap` (m) in the results; above

@@ -67,9 +67,17 @@ pub fn values(simulation: &mut Simulation, variable: &str) -> Vec<f64> {
     row[channel.offset..][..channel.len].to_vec()
 }
 
+/// Checks the exact derivatives of a scenario as [`assert_derivatives`] does, and that the rates have the bits of the run.
+pub fn assert_linearised(text: &str) {
+    let (rates, accelerations) = assert_derivatives(text);
+    assert_eq!(rates, accelerations);
+}
+
 /// Checks the exact derivatives of a scenario after 200 steps against central differences. The error of
 /// differences with step h is h squared times a third derivative, plus rounding over h.
-pub fn assert_linearised(text: &str) {
+///
+/// Returns the rates of the velocities by both.
+pub fn assert_derivatives(text: &str) -> (Vec<f64>, Vec<f64>) {
     let scenario = kingpost::scenario::read(text, "test.yaml", &[]).expect("the scenario reads");
     let mut simulation = scenario.simulation().expect("the scenario builds");
     simulation.step(200).expect("some motion");
@@ -95,7 +103,7 @@ pub fn assert_linearised(text: &str) {
             }
         }
     }
-    assert_eq!(linear.rates[n..2 * n], simulation.acceleration(None).expect("accelerations")[..]);
+    (linear.rates[n..2 * n].to_vec(), simulation.acceleration(None).expect("accelerations"))
 }
 
 /// Returns the accelerations of all coordinates in a state near that of a simulation.

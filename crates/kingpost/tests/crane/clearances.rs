@@ -314,3 +314,38 @@ parts: {port: {part: arm.yaml}, starboard: {part: arm.yaml, position_m: [0, -30,
         assert!((found - 2.0).abs() < 1e-14, "{found}");
     }
 }
+
+/// A box of half edges 3, 0.5, 0.5 m on the arm, at rest in its first position, and shapes at known distances along x.
+#[test]
+fn the_clearance_between_two_solids_is_that_of_their_nearest_points() {
+    let first = "first: {body: arm, position_m: [0.4, 0, 0], shape: {box: {length_m: 6, width_m: 1, height_m: 1}}}";
+    let second = |shape: &str| format!("second: {{body: world, position_m: [6, 0, 0], shape: {{{shape}}}}}");
+    let hull = "convex: {positions_m: [[-1, 0, 0], [1, -1, -1], [1, 1, -1], [1, 0, 1]]}";
+    let cases = [
+        ("sphere: {radius_m: 0.6}", 2.0),
+        ("box: {length_m: 8, width_m: 1, height_m: 1}", -1.0),
+        ("capsule: {radius_m: 0.4, length_m: 3, axis: y}", 2.2),
+        ("cylinder: {radius_m: 0.5, length_m: 3, axis: z}", 2.1),
+        ("plane: {normal: [-1, 0, 0]}", 2.6),
+        (hull, 1.6),
+    ];
+    let mut sensors = "sensors:\n".to_owned();
+    for (i, (shape, _)) in cases.iter().enumerate() {
+        sensors += &format!("  at_{i}: {{clearance: {{{first}, {}}}}}\n", second(shape));
+    }
+    // Own shapes, with a cone that points back along x.
+    let cone = "{body: world, position_m: [6, 0, 0], orientation_deg: [0, -90, 0], shape: {cone: {half_angle_deg: 20, length_m: 1}}}";
+    sensors += &format!("  own: {{clearance: {{first: {{body: arm, shape: own}}, second: {cone}}}}}\n");
+    let mut run = simulation(&arm_and_cart(&sensors));
+    let mut row = Vec::new();
+    run.write_row(&mut row);
+    let found: Vec<f64> = run
+        .channels()
+        .iter()
+        .filter(|channel| channel.variable == "clearance")
+        .map(|channel| row[channel.offset])
+        .collect();
+    for (found, exact) in found.iter().zip(cases.iter().map(|(_, exact)| *exact).chain([2.6])) {
+        assert!((found - exact).abs() < 1e-9, "{found} m, not {exact} m");
+    }
+}

@@ -56,7 +56,47 @@ fn an_invalid_contact_is_refused_at_its_place() {
         (
             "shape: {box: {length_m: 2, width_m: 1, height_m: 1}}}\n      surface",
             "shape: {cylinder: {radius_m: 0.5, length_m: 1}}}\n      surface",
-            "forces.deck.contact.load.shape: found cylinder, allowed: box, sphere or points, on a box",
+            "forces.deck.contact.load.shape: found cylinder, allowed: one of points, sphere, box, convex, capsule, ring, on a box",
+        ),
+        (
+            "shape: {box: {length_m: 2, width_m: 1, height_m: 1}}}\n      surface",
+            "shape: {cone: {half_angle_deg: 30, length_m: 1}}}\n      surface",
+            "forces.deck.contact.load.shape: found cone, allowed: one of points, sphere, box, convex, capsule, ring, on a box",
+        ),
+        (
+            "shape: {box: {length_m: 2, width_m: 1, height_m: 1}}}\n      surface",
+            "shape: {cone: {half_angle_deg: 90, length_m: 1}}}\n      surface",
+            "forces.deck.contact.load.shape.cone.half_angle_rad: found 1.5707963267948966, allowed: 0.0017 to 1.5691 rad",
+        ),
+        (
+            "shape: {box: {length_m: 2, width_m: 1, height_m: 1}}}\n      surface",
+            "shape: {cone: {half_angle_deg: 0, length_m: 1}}}\n      surface",
+            "forces.deck.contact.load.shape.cone.half_angle_deg: found 0",
+        ),
+        (
+            "shape: {box: {length_m: 2, width_m: 1, height_m: 1}}}\n      surface",
+            "shape: {ring: {radius_m: 0, bar_radius_m: 0.1}}}\n      surface",
+            "forces.deck.contact.load.shape.ring.radius_m: found 0",
+        ),
+        (
+            "shape: {box: {length_m: 2, width_m: 1, height_m: 1}}}\n      surface",
+            "shape: {ring: {radius_m: 0.2, bar_radius_m: 0.2}}}\n      surface",
+            "forces.deck.contact.load.shape.ring.bar_radius_m: found 0.2, allowed: less than radius_m, 0.2",
+        ),
+        (
+            "shape: {box: {length_m: 2, width_m: 1, height_m: 1}}}\n      surface",
+            "shape: {convex: {positions_m: [[0, 0, 0], [1, 0, 1], [0, 1, 1], [1, 1, 2]]}}}\n      surface",
+            "forces.deck.contact.load.shape.convex.positions_m: found points without a convex hull, allowed: points that are not in one plane",
+        ),
+        (
+            "shape: {box: {length_m: 2, width_m: 1, height_m: 1}}}\n      surface",
+            "shape: {convex: {positions_m: [[0, 0, 0], [1, 0, 1], [0, 1, 1]]}}}\n      surface",
+            "forces.deck.contact.load.shape.convex.positions_m: found 3 points, allowed: 4 to 32 points",
+        ),
+        (
+            "shape: {box: {length_m: 10, width_m: 10, height_m: 1}}}\n      stiff",
+            "shape: {ring: {radius_m: 1, bar_radius_m: 1}}}\n      stiff",
+            "forces.deck.contact.surface.shape.ring.bar_radius_m: found 1, allowed: less than radius_m, 1",
         ),
         (
             "shape: {box: {length_m: 2, width_m: 1, height_m: 1}}}\n      surface",

@@ -1,11 +1,11 @@
-//! Clearances and air gaps: their points, and the solids from which the distance is measured.
+//! Clearances and air gaps: their points and solids.
 
 use crate::elements::contact::ContactSolid;
+use crate::elements::contact::assembly::solids;
 use crate::elements::{AirGap, AnyElement, Clearance};
 use crate::model::{Attachment, Model};
 use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::assembly::attachments::attachment;
-use crate::scenario::assembly::bodies::axis;
 use crate::scenario::assembly::rigid_bodies::rigid;
 use crate::scenario::assembly::{FieldError, known};
 use crate::scenario::leaf::Quantity;
@@ -17,26 +17,41 @@ impl<S: Quantity> Assemble<S> for schema::Clearance<S> {
     fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
         let field = |rest: &str| format!("sensors.{name}.clearance.{rest}");
         let Self { first, second, .. } = self;
-        let of_first = pin(at.scenario, &field("first"), &first.body, first.point.as_ref(), first.position_m)?;
-        let of_second = pin(at.scenario, &field("second"), &second.body, second.point.as_ref(), second.position_m)?;
-        let bends = at.scenario.bodies.get(&first.body).is_some_and(|body| body.flexible.is_some());
-        if first.body == second.body && !bends {
+        let bends = |given: &schema::ClearanceFrom<S>| {
+            at.scenario.bodies.get(&given.body).is_some_and(|body| body.flexible.is_some())
+        };
+        if first.body == second.body && !bends(first) {
             let allowed = format!("another body than first.body, {}", first.body);
             return Err(FieldError::new(field("second.body"), &second.body, allowed));
         }
-        let solid = solid(at.scenario, &field("second"), second)?;
-        let (Some(point), Some(place), true) = (
-            place(at.scenario, at.model, &field("first"), &of_first)?,
-            place(at.scenario, at.model, &field("second"), &of_second)?,
-            self.enabled,
-        ) else {
+        let sides = [(first, field("first")), (second, field("second"))].map(|(given, field)| {
+            let pin = pin(at.scenario, &field, &given.body, given.point.as_ref(), given.position_m)?;
+            Ok((solid(at.scenario, &field, given)?, frame(place(at.scenario, at.model, &field, &pin)?, given)))
+        });
+        let [(own, own_place), (from, from_place)] = both(sides)?;
+        if let (Some(ContactSolid::Plane { .. }), Some(ContactSolid::Plane { .. })) = (&own, &from) {
+            return Err(FieldError::new(field("second.shape"), "plane", "another shape: first has a plane"));
+        }
+        let (Some(own_place), Some(from_place), true) = (own_place, from_place, self.enabled) else {
             return Ok(Vec::new());
         };
-        let rotation = rotation_from_roll_pitch_yaw(Vector3(second.orientation_rad));
-        let position = if is_own(second) { Vector3::zero() } else { place.in_body.position };
-        let place = Attachment { in_body: Frame { rotation, position }, ..place };
-        Ok(vec![Box::new(Clearance { name: name.to_owned(), point, place, solid })])
+        let (places, second) = ([own_place, from_place], from.unwrap_or(ContactSolid::Sphere { radius: S::ZERO }));
+        Ok(vec![Box::new(Clearance { name: name.to_owned(), places, first: own, second })])
     }
+}
+
+/// Returns both results, or the first error.
+fn both<T>([first, second]: [Result<T, FieldError>; 2]) -> Result<[T; 2], FieldError> {
+    Ok([first?, second?])
+}
+
+/// Returns the place of a solid with its axes.
+fn frame<S: Quantity>(place: Option<Attachment<S>>, given: &schema::ClearanceFrom<S>) -> Option<Attachment<S>> {
+    let rotation = rotation_from_roll_pitch_yaw(Vector3(given.orientation_rad));
+    place.map(|place| {
+        let position = if is_own(given) { Vector3::zero() } else { place.in_body.position };
+        Attachment { in_body: Frame { rotation, position }, ..place }
+    })
 }
 
 impl<S: Quantity> Assemble<S> for schema::AirGap<S> {
@@ -90,23 +105,27 @@ fn is_own<S>(given: &schema::ClearanceFrom<S>) -> bool {
     matches!(given.shape, Some(ClearanceShape::Own))
 }
 
-/// Returns the solid from which the clearance is measured; a point is a sphere of radius 0.
+/// Returns the solid; `None` for a point.
 fn solid<S: Quantity>(
     scenario: &Scenario<S>,
     field: &str,
     given: &schema::ClearanceFrom<S>,
-) -> Result<ContactSolid<S>, FieldError> {
-    let Some(shape) = &given.shape else { return Ok(ContactSolid::Sphere { radius: S::ZERO }) };
+) -> Result<Option<ContactSolid<S>>, FieldError> {
+    let Some(shape) = &given.shape else { return Ok(None) };
     if scenario.bodies.contains_key(&given.body) {
         rigid(scenario, format!("{field}.body"), &given.body)?;
     }
-    Ok(match shape {
+    let inside = |kind: &str| format!("{field}.shape.{kind}");
+    Ok(Some(match shape {
         ClearanceShape::Own => own(scenario, field, given)?,
-        ClearanceShape::Plane(given) => ContactSolid::Plane { normal: Vector3(given.normal.get()).direction() },
-        ClearanceShape::Box(given) => of_box(given),
-        ClearanceShape::Cylinder(given) => of_cylinder(given),
-        ClearanceShape::Sphere(given) => ContactSolid::Sphere { radius: given.radius_m.get() },
-    })
+        ClearanceShape::Plane(given) => solids::plane(given),
+        ClearanceShape::Box(given) => solids::cuboid(given),
+        ClearanceShape::Cylinder(given) => solids::cylinder(given),
+        ClearanceShape::Sphere(given) => solids::sphere(given),
+        ClearanceShape::Capsule(given) => solids::capsule(given),
+        ClearanceShape::Cone(given) => solids::cone(given, &inside("cone"))?,
+        ClearanceShape::Convex(given) => ContactSolid::Convex(solids::convex(given, &inside("convex"))?),
+    }))
 }
 
 /// The shape of the body itself, on its centre of mass.
@@ -127,22 +146,12 @@ fn own<S: Quantity>(
         }
     }
     match scenario.bodies.get(&given.body).and_then(|body| body.shape.as_ref()) {
-        Some(schema::Shape::Box(given)) => Ok(of_box(given)),
-        Some(schema::Shape::Cylinder(given)) => Ok(of_cylinder(given)),
-        Some(schema::Shape::Sphere(given)) => Ok(ContactSolid::Sphere { radius: given.radius_m.get() }),
+        Some(schema::Shape::Box(given)) => Ok(solids::cuboid(given)),
+        Some(schema::Shape::Cylinder(given)) => Ok(solids::cylinder(given)),
+        Some(schema::Shape::Sphere(given)) => Ok(solids::sphere(given)),
         Some(schema::Shape::Point(_)) | None => {
             let found = format!("own, but {} is not a solid", given.body);
             Err(FieldError::new(format!("{field}.shape"), found, "plane, box, cylinder or sphere, with its fields"))
         }
     }
-}
-
-fn of_box<S: Quantity>(given: &schema::BoxShape<S>) -> ContactSolid<S> {
-    let edges = [given.length_m, given.width_m, given.height_m];
-    ContactSolid::Box { half: edges.map(|edge| edge.get() * S::constant(0.5)) }
-}
-
-fn of_cylinder<S: Quantity>(given: &schema::CylinderShape<S>) -> ContactSolid<S> {
-    let (radius, half_length) = (given.radius_m.get(), given.length_m.get() * S::constant(0.5));
-    ContactSolid::Cylinder { radius, half_length, axis: axis(given.axis) }
 }

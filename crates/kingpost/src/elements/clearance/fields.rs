@@ -2,34 +2,25 @@
 
 use kingpost_derive::fields;
 
-use crate::scenario::schema::{BoxShape, ContactPlane, CylinderShape, LocalName, Name, SphereShape, yes};
+use crate::scenario::schema::{
+    BoxShape, CapsuleShape, ConeShape, ContactPlane, ConvexShape, CylinderShape, LocalName, Name, SphereShape, yes,
+};
 
-/// The distance of a point from another point or from a solid, as `clearance` (m) in the results; negative inside a
-/// solid. It is only an output: no force keeps the two apart.
+/// The distance between two points or solids, as `clearance` (m) in the results. Of a point inside a solid it is the
+/// negative distance from the surface; of overlapping solids, the negative of the shortest displacement that parts them. It is
+/// only an output: no force keeps the two apart.
 #[fields]
 pub struct Clearance<S = f64> {
     /// Whether the clearance is measured.
     #[serde(default = "yes")]
     pub enabled: bool,
-    /// The point.
-    pub first: OwnPoint<S>,
+    /// The point or solid.
+    pub first: ClearanceFrom<S>,
     /// The point or solid from which the clearance is measured.
     pub second: ClearanceFrom<S>,
 }
 
-/// A point on a body, by its name or its position, or a point in the world.
-#[fields]
-pub struct OwnPoint<S = f64> {
-    /// The body, or `world`.
-    pub body: Name,
-    /// The name of one of the body's `points`.
-    pub point: Option<LocalName>,
-    /// The point in the body's drawing frame, m; measured from the named point if one is given.
-    #[serde(default)]
-    pub position_m: [S; 3],
-}
-
-/// A point, or a solid with its place on its body.
+/// A point on a body, by its name or its position, or a point in the world; or a solid with its place there.
 #[fields]
 pub struct ClearanceFrom<S = f64> {
     /// The body, or `world`.
@@ -47,7 +38,7 @@ pub struct ClearanceFrom<S = f64> {
     pub shape: Option<ClearanceShape<S>>,
 }
 
-/// The solid from which the clearance is measured.
+/// A solid whose clearance is measured.
 #[fields]
 pub enum ClearanceShape<S = f64> {
     /// The body's own `shape`, centred on its centre of mass; a position is then not allowed.
@@ -60,6 +51,12 @@ pub enum ClearanceShape<S = f64> {
     Cylinder(CylinderShape<S>),
     /// A ball.
     Sphere(SphereShape<S>),
+    /// A circular cylinder with round ends: a bumper bar, a guide.
+    Capsule(CapsuleShape<S>),
+    /// A cone: a pin, a funnel from outside.
+    Cone(ConeShape<S>),
+    /// The convex hull of points.
+    Convex(ConvexShape<S>),
 }
 
 /// The height of a point above the surface of the incident waves at that point, as `air_gap` (m) in the results; above

@@ -4,7 +4,7 @@ use kingpost_derive::fields;
 
 use crate::scenario::leaf::Leaf;
 use crate::scenario::schema::{
-    BoxShape, CylinderShape, Direction, Fraction, Name, NonNegative, Positive, SphereShape, yes,
+    BoxShape, CylinderShape, Direction, Fraction, Name, NonNegative, Positive, PrincipalAxis, SphereShape, yes,
 };
 
 /// Contact of a load with a surface: a normal force pushes the load out, and friction holds it.
@@ -61,6 +61,14 @@ pub enum LoadShape<S = f64> {
     Sphere(SphereShape<S>),
     /// Points: feet, or the corners of a convex body.
     Points(ContactPoints<S>),
+    /// A circular cylinder with round ends: a bumper bar, a guide, a pile.
+    Capsule(CapsuleShape<S>),
+    /// A cone with its tip ahead: a pin for stab-in.
+    Cone(ConeShape<S>),
+    /// A ring of round bar: the mouth of a funnel, a shackle.
+    Ring(RingShape<S>),
+    /// The convex hull of points: its corners and edges touch.
+    Convex(ConvexShape<S>),
 }
 
 /// Points that touch.
@@ -94,6 +102,53 @@ pub enum SurfaceShape<S = f64> {
     Box(BoxShape<S>),
     /// A ball: a bumper, a roller.
     Sphere(SphereShape<S>),
+    /// A circular cylinder: a leg, a bumper, a pile.
+    Cylinder(CylinderShape<S>),
+    /// A circular cylinder with round ends: a bumper bar, a guide.
+    Capsule(CapsuleShape<S>),
+    /// A cone with its tip ahead: a pin for stab-in.
+    Cone(ConeShape<S>),
+    /// A ring of round bar: the mouth of a funnel, a hole in a plate.
+    Ring(RingShape<S>),
+    /// The convex hull of points: its corners and edges touch.
+    Convex(ConvexShape<S>),
+}
+
+/// A circular cylinder with round ends.
+#[fields]
+pub struct CapsuleShape<S = f64> {
+    /// Radius, m.
+    pub radius_m: Positive<S>,
+    /// Distance between the centres of the two round ends, m.
+    pub length_m: Positive<S>,
+    /// The axis that it lies along.
+    #[serde(default)]
+    pub axis: PrincipalAxis,
+}
+
+/// A circular cone: its tip is at the shape's position and points along z.
+#[fields]
+pub struct ConeShape<S = f64> {
+    /// Angle between the axis and the side, below 90 degrees, rad.
+    pub half_angle_rad: Positive<S>,
+    /// Distance of the base from the tip, m.
+    pub length_m: Positive<S>,
+}
+
+/// A ring of round bar about z.
+#[fields]
+pub struct RingShape<S = f64> {
+    /// Radius of the circle in the middle of the bar, m.
+    pub radius_m: Positive<S>,
+    /// Radius of the bar, below that of the circle, m.
+    pub bar_radius_m: Positive<S>,
+}
+
+/// The convex hull of points that are not in one plane.
+#[fields]
+pub struct ConvexShape<S = f64> {
+    /// Positions from the shape's centre, in its axes, m; 4 to 32.
+    pub positions_m: Vec<[S; 3]>,
 }
 
 /// A plane.
@@ -128,16 +183,4 @@ fn half<S: Leaf>() -> Positive<S> {
 /// The default of `penetration_tolerance_m`.
 fn tolerance<S: Leaf>() -> Positive<S> {
     Positive::literal(0.02)
-}
-
-impl<S> LoadShape<S> {
-    /// The name of its kind.
-    pub fn kind(&self) -> &'static str {
-        match self {
-            Self::Box(_) => "box",
-            Self::Cylinder(_) => "cylinder",
-            Self::Sphere(_) => "sphere",
-            Self::Points(_) => "points",
-        }
-    }
 }

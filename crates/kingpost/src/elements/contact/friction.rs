@@ -1,6 +1,6 @@
 //! Dry friction: an elastic bristle holds until the contact slides.
 
-use super::solid::length;
+use super::length::length;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 

@@ -1,8 +1,8 @@
 //! The forces at a spot: the normal force, and friction that holds or slides.
 
 use super::friction::{FrictionForce, Rubbing};
+use super::length::length;
 use super::sides::{Met, Sides};
-use super::solid::length;
 use super::{
     BEGINS_TO_SLIDE, BY_DEPTH, Contact, ContactSolid, DIRECTION_M, EVENTS, Friction, HOLDS, JUST_HOLDS, LEAVES, OPEN,
     ROUNDING_M, SLIDES, TOUCHES,
@@ -126,7 +126,7 @@ impl<S: Scalar> Contact<S> {
 
     fn at_depth(&self, depth: S, met: &Met<S>) -> Pressed<S> {
         let (normal, heat) = hunt_crossley(self.stiffness, self.dissipation, depth, met.rate());
-        Pressed { normal, energy: self.stiffness * depth * depth * S::constant(0.5), heat }
+        Pressed { normal: normal * met.gain, energy: self.stiffness * depth * depth * S::constant(0.5), heat }
     }
 
     pub(super) fn rubbing(&self, friction: &Friction<S>, met: &Met<S>, normal: S, bristle: Vector3<S>) -> Rubbing<S> {

@@ -1,16 +1,22 @@
 //! Contact of a load with a deck, a quay, the seabed, another vessel.
 
 pub(crate) mod assembly;
+mod between;
+mod curve;
 pub(crate) mod fields;
 mod friction;
+mod hull;
 mod law;
+mod length;
 mod restitution;
 mod sides;
 mod solid;
 mod spot;
 mod watch;
 
+pub use curve::Curve;
 pub use friction::Friction;
+pub use hull::ConvexHull;
 pub use restitution::dissipation;
 pub use solid::ContactSolid;
 pub use spot::Spot;
@@ -25,7 +31,7 @@ use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 use friction::RESTS;
 use law::condition;
-use solid::length;
+use length::length;
 use watch::Depth;
 
 /// Contact between two sides, a load and a surface: the spots of each side meet the solid of the other.
@@ -127,7 +133,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
                 number("contact_penetration", "depth of the deepest contact point; 0 without contact", &["m"]),
                 number(
                     "contact_gap",
-                    "smallest distance between a load's corners or round surface and its contact surface; negative: penetration",
+                    "smallest distance between a load's corners, edges or round surface and its contact surface; negative: penetration",
                     &["m"],
                 ),
                 number("contact_points", "number of points of a contact that touch", &["1"]),

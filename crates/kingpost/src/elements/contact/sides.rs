@@ -42,6 +42,8 @@ pub(super) struct Met<S> {
     velocity: Vector3<S>,
     /// Outward normal of the solid, in its axes.
     pub(super) normal: Vector3<S>,
+    /// Growth of the depth per displacement against the normal.
+    pub(super) gain: S,
     /// Depth of the spot in the solid, m.
     pub(super) depth: S,
     /// The middle of the spot, in the solid's axes, m.
@@ -72,10 +74,10 @@ impl<S: Scalar> Sides<S> {
 
     pub(super) fn met(&self, facing: Facing, spot: &Spot<S>, solid: &ContactSolid<S>) -> Met<S> {
         let [own, other] = [&self.sides[facing as usize], &self.sides[1 - facing as usize]];
-        let Nearness { point, normal, depth, middle } = spot.nearness(solid, &self.seen[facing as usize]);
+        let Nearness { point, normal, gain, depth, middle } = spot.nearness(solid, &self.seen[facing as usize]);
         let point = other.frame.point(point);
         let velocity = other.frame.rotation.transpose_times(own.velocity_at(point) - other.velocity_at(point));
-        Met { facing, rotation: other.frame.rotation, point, velocity, normal, depth, middle }
+        Met { facing, rotation: other.frame.rotation, point, velocity, normal, gain, depth, middle }
     }
 
     pub(super) fn nothing(&self) -> Sum<S> {
@@ -103,7 +105,7 @@ impl<S: Scalar> ContactSide<S> {
 impl<S: Scalar> Met<S> {
     /// Returns the rate of the depth, d', m/s.
     pub(super) fn rate(&self) -> S {
-        -self.normal.dot(self.velocity)
+        -self.normal.dot(self.velocity) * self.gain
     }
 
     /// Returns the slip v along the surface, in the solid's axes, m/s.

@@ -1,11 +1,13 @@
 //! The distance of a point from a solid.
 
+use super::hull::ConvexHull;
+use super::length::{SURFACE_M, choose, length, root};
 use crate::model::Axis;
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
 
 /// A solid that spots touch, in its own axes about its centre.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub enum ContactSolid<S = f64> {
     /// The half space below a plane through the origin; the unit normal points out of it.
     Plane {
@@ -31,6 +33,24 @@ pub enum ContactSolid<S = f64> {
         /// m.
         radius: S,
     },
+    /// A circular cylinder with round ends.
+    Capsule {
+        /// m.
+        radius: S,
+        /// Half of the distance between the centres of its ends, m.
+        half_length: S,
+        /// The axis that it lies along.
+        axis: Axis,
+    },
+    /// A circular cone below its tip, which is at the origin and points along z.
+    Cone {
+        /// Sine and cosine of the angle between axis and side.
+        half_angle: (S, S),
+        /// m.
+        length: S,
+    },
+    /// A convex hull of points.
+    Convex(ConvexHull<S>),
 }
 
 impl<S: Scalar> ContactSolid<S> {
@@ -46,12 +66,27 @@ impl<S: Scalar> ContactSolid<S> {
     /// assert_eq!(deck.distance(Vector3::new(1.0, 2.0, 0.9)).1.0, [0.0, 0.0, 1.0]);
     /// ```
     pub fn distance(&self, point: Vector3<S>) -> (S, Vector3<S>) {
-        match *self {
-            Self::Plane { normal } => (normal.dot(point), normal),
+        match self {
+            Self::Plane { normal } => (normal.dot(point), *normal),
             Self::Sphere { radius } => {
                 let away = length(point);
-                (away - radius, point * (S::ONE / away))
+                (away - *radius, point * (S::ONE / away))
             }
+            Self::Capsule { radius, half_length, axis } => {
+                let mut off = point;
+                off[*axis as usize] -= point[*axis as usize].clipped(-*half_length, *half_length);
+                let away = length(off);
+                (away - *radius, off * (S::ONE / away))
+            }
+            Self::Cone { half_angle, length: along } => {
+                let across = Vector3([point[0], point[1], S::ZERO]);
+                let off = length(across);
+                let (distance, [radial, axial]) = from_cone(*half_angle, *along, [off, point[2]]);
+                let mut normal = across * (radial / off);
+                normal[2] = axial;
+                (distance, normal)
+            }
+            Self::Convex(hull) => hull.distance(point),
             Self::Box { half } => {
                 let signs = point.0.map(sign);
                 let (distance, gradient) =
@@ -59,12 +94,12 @@ impl<S: Scalar> ContactSolid<S> {
                 (distance, Vector3(core::array::from_fn(|i| gradient[i] * signs[i])))
             }
             Self::Cylinder { radius, half_length, axis } => {
-                let along = axis as usize;
+                let along = *axis as usize;
                 let side = sign(point[along]);
                 let mut across = point;
                 across[along] = S::ZERO;
                 let off = length(across);
-                let (distance, [radial, axial]) = from_corner([off - radius, point[along] * side - half_length]);
+                let (distance, [radial, axial]) = from_corner([off - *radius, point[along] * side - *half_length]);
                 let mut normal = across * (radial / off);
                 normal[along] = axial * side;
                 (distance, normal)
@@ -95,11 +130,18 @@ fn sign<S: Scalar>(x: S) -> S {
     x.select_below(0.0, || -S::ONE, || S::ONE)
 }
 
-/// Returns the length of a vector, bounded below by the smallest valid divisor.
-pub(super) fn length<S: Scalar>(vector: Vector3<S>) -> S {
-    root(vector.norm_squared())
-}
-
-fn root<S: Scalar>(squared: S) -> S {
-    squared.select_below(f64::MIN_POSITIVE, || S::constant(f64::MIN_POSITIVE), || squared).sqrt()
+/// Returns the distance from a cone's section, with its gradient: across the axis and along it.
+fn from_cone<S: Scalar>((sin, cos): (S, S), length: S, [across, along]: [S; 2]) -> (S, [S; 2]) {
+    let (side, base) = (across * cos + along * sin, -along - length);
+    let on_side = (across * sin - along * cos).clipped(S::ZERO, length / cos);
+    let from_side = [across - on_side * sin, along + on_side * cos];
+    let from_base = [across - across.clipped(S::ZERO, length * sin / cos), -base];
+    let squares = [from_side, from_base].map(|[x, z]| x * x + z * z);
+    let squared = squares[0].select_less(squares[1], || squares[0], || squares[1]);
+    let away = root(squared);
+    let outward = choose(squares[0], squares[1], from_side, from_base).map(|x| x / away);
+    let inside = base.select_less(side, || side, || base);
+    let inward = choose(base, side, [cos, sin], [S::ZERO, -S::ONE]);
+    let surface = S::constant(SURFACE_M);
+    (inside.select_less(surface, || inside, || away), choose(inside, surface, inward, outward))
 }

@@ -1,5 +1,7 @@
-//! The spots of one side that may touch the solid of the other: points, balls, the ends of a cylinder.
+//! The spots of one side that may touch the solid of the other: points, balls, the ends of a cylinder, curves.
 
+use super::curve::Curve;
+use super::length::length;
 use super::solid::ContactSolid;
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Vector3};
@@ -27,6 +29,16 @@ pub enum Spot<S = f64> {
         /// Semi-axis along it, m.
         bulge: S,
     },
+    /// A tube about a curve, with a single contact point where it is deepest. Its radius falls by `crown` from the middle
+    /// of the curve to its ends, so that the point is unique and moves continuously.
+    Tube {
+        /// The line in its middle.
+        curve: Curve<S>,
+        /// m.
+        radius: S,
+        /// m.
+        crown: S,
+    },
 }
 
 /// The position of a spot relative to a solid, in the solid's axes.
@@ -36,6 +48,8 @@ pub struct Nearness<S> {
     pub point: Vector3<S>,
     /// Outward normal of the solid.
     pub normal: Vector3<S>,
+    /// Growth of the depth per displacement against the normal: below 1 for a line that crosses an edge of the solid.
+    pub gain: S,
     /// Depth of the spot in the solid, m; negative outside.
     pub depth: S,
     /// The middle of the spot, m.
@@ -49,7 +63,7 @@ impl<S: Scalar> Spot<S> {
             Self::Ball { centre, radius } => {
                 let middle = seen.point(centre);
                 let (distance, normal) = solid.distance(middle);
-                Nearness { point: middle - normal * radius, normal, depth: radius - distance, middle }
+                Nearness { point: middle - normal * radius, normal, gain: S::ONE, depth: radius - distance, middle }
             }
             Self::End { centre, axis, radius, bulge } => {
                 let middle = seen.point(centre);
@@ -61,7 +75,21 @@ impl<S: Scalar> Spot<S> {
                 let to_rim = (across * radius).norm_squared() + (along * bulge) * (along * bulge);
                 let reach = to_rim.sqrt();
                 let deepest = (across * (radius * radius) + axis * (along * bulge * bulge)) * (-S::ONE / reach);
-                Nearness { point: middle + seen.rotation * deepest, normal, depth: reach - distance, middle }
+                Nearness {
+                    point: middle + seen.rotation * deepest,
+                    normal,
+                    gain: S::ONE,
+                    depth: reach - distance,
+                    middle,
+                }
+            }
+            Self::Tube { curve, radius, crown } => {
+                let curve = curve.seen(seen);
+                let nearest = curve.nearest(solid, crown);
+                let gain = length(nearest.gradient);
+                let normal = nearest.gradient * (S::ONE / gain);
+                let point = nearest.point - normal * radius;
+                Nearness { point, normal, gain, depth: radius - nearest.distance, middle: curve.at(S::ZERO).0 }
             }
         }
     }

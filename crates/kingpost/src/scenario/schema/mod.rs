@@ -24,13 +24,14 @@ mod waves;
 
 use indexmap::IndexMap;
 
-pub use crate::elements::clearance::fields::{AirGap, Clearance, ClearanceFrom, ClearanceShape, OwnPoint};
+pub use crate::elements::clearance::fields::{AirGap, Clearance, ClearanceFrom, ClearanceShape};
 pub use crate::elements::compensation::fields::heave::{HeaveCompensation, HeavePrediction};
 pub use crate::elements::compensation::fields::motion::{
     CompensationDrive, PlatformCompensation, ThreeAxisCompensation,
 };
 pub use crate::elements::contact::fields::{
-    Contact, ContactLoad, ContactPlane, ContactPoints, ContactSurface, LoadShape, SurfaceShape,
+    CapsuleShape, ConeShape, Contact, ContactLoad, ContactPlane, ContactPoints, ContactSurface, ConvexShape, LoadShape,
+    RingShape, SurfaceShape,
 };
 pub use crate::elements::drive_function::fields::DriveFunction;
 pub use crate::elements::drives::fields::controlled::{
