@@ -233,6 +233,8 @@ pub enum VectorFrame {
     Joint,
     /// The axes of a closed loop's first attachment.
     Loop,
+    /// The axes of a contact's surface.
+    Surface,
     /// Level axes that turn slowly with the hull.
     SlowFrame,
     /// Level axes that turn with the hull's heading.

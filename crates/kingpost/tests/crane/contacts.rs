@@ -62,6 +62,7 @@ fn the_impact_speed_is_that_of_the_latest_touch_with_its_derivative() {
     }
     // Steps between the event and the reading change the speed of rebound by g times 2 ms.
     assert!((values(&mut falling, "contact_impact_speed")[0] - rebound).abs() < 0.03, "{rebound}");
+    assert!((values(&mut falling, "contact_largest_impact_speed")[0] - impact).abs() < 1e-9);
     let short = text.replace("duration_s: 60", "duration_s: 0.7").replace("step_s: 0.0002", "step_s: 0.002");
     let scenario = kingpost::scenario::read(&short, "ball.yaml", &[]).expect("it reads");
     let height = "bodies.ball.joint.floating.initial.position_m.2";
@@ -71,6 +72,37 @@ fn the_impact_speed_is_that_of_the_latest_touch_with_its_derivative() {
     let derivative = found.derivatives[0][found.derivatives[0].len() - found.columns + place];
     // d sqrt(2 g h) / dh; that of the time of an event has the error of a step.
     assert!((derivative - G / impact).abs() < 2e-3, "{derivative} {}", G / impact);
+}
+
+/// A box on a slope of 0.1 rad, at rest on it at a place and a heading; the slope turns by 0.4 rad about its own vertical.
+#[test]
+fn the_set_down_of_a_load_is_in_axes_of_its_surface() {
+    let text = format!(
+        "version: 1
+title: A box on a slope
+simulation: {FINE}
+bodies:
+  box: {{mass_kg: 1000, shape: {{box: {{length_m: 2, width_m: 1, height_m: 1}}}}, joint: {{floating: {{}}}}}}
+forces:
+  slope:
+    contact:
+      load: {{body: box, orientation_rad: [0, 0, 0.3], shape: {{box: {{length_m: 2, width_m: 1, height_m: 1}}}}}}
+      surface: {{body: world, position_m: [1, 2, -3], orientation_rad: [0.1, 0, 0], shape: {{plane: {{}}}}}}
+      stiffness_N_per_m: 1e6
+      friction_coefficient: 0
+",
+        FINE = format!("{{{FINE}}}")
+    );
+    let mut found = simulation(&text);
+    // Level, 0.3 rad from x about z, over a surface that leans about x.
+    let (sine, cosine) = 0.1_f64.sin_cos();
+    let place = [-1.0, -2.0 * cosine + 3.0 * sine, 3.0 * cosine + 2.0 * sine];
+    for (found, place) in values(&mut found, "contact_position").iter().zip(place) {
+        assert!((found - place).abs() < 1e-14, "{found} {place}");
+    }
+    assert!((values(&mut found, "contact_tilt")[0] - 0.1).abs() < 1e-14);
+    let heading = (0.3_f64.sin() * cosine).atan2(0.3_f64.cos());
+    assert!((values(&mut found, "contact_heading")[0] - heading).abs() < 1e-14);
 }
 
 /// Without gravity, x (1 + e) = ln((1 + x) / (1 - e x)) with x = a v is exact at every speed; at the

@@ -26,7 +26,7 @@ impl<S: Quantity> Assemble<S> for schema::Clearance<S> {
         }
         let sides = [(first, field("first")), (second, field("second"))].map(|(given, field)| {
             let pin = pin(at.scenario, &field, &given.body, given.point.as_ref(), given.position_m)?;
-            Ok((solid(at.scenario, &field, given)?, frame(place(at.scenario, at.model, &field, &pin)?, given)))
+            Ok((solid(at.scenario, &field, given)?, frame(at.model, place(at.scenario, at.model, &field, &pin)?, given)))
         });
         let [(own, own_place), (from, from_place)] = both(sides)?;
         if let (Some(ContactSolid::Plane { .. }), Some(ContactSolid::Plane { .. })) = (&own, &from) {
@@ -46,11 +46,15 @@ fn both<T>([first, second]: [Result<T, FieldError>; 2]) -> Result<[T; 2], FieldE
 }
 
 /// Returns the place of a solid with its axes.
-fn frame<S: Quantity>(place: Option<Attachment<S>>, given: &schema::ClearanceFrom<S>) -> Option<Attachment<S>> {
+fn frame<S: Quantity>(
+    model: &Model<S>,
+    place: Option<Attachment<S>>,
+    given: &schema::ClearanceFrom<S>,
+) -> Option<Attachment<S>> {
     let rotation = rotation_from_roll_pitch_yaw(Vector3(given.orientation_rad));
     place.map(|place| {
         let position = if is_own(given) { Vector3::zero() } else { place.in_body.position };
-        Attachment { in_body: Frame { rotation, position }, ..place }
+        model.attachment(place.body, Frame { rotation, position })
     })
 }
 

@@ -9,6 +9,7 @@ mod hull;
 mod law;
 mod length;
 mod restitution;
+mod set_down;
 mod sides;
 mod solid;
 mod spot;
@@ -119,7 +120,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
         let force = number("contact_force", "force on the load by the surface", &["N"]);
         Declaration {
             states: bristles.chain([StateDeclaration::memory("impulse", "N s")]).collect(),
-            numbers: of_spots("anchor").into_iter().chain(["impact_speed".to_owned()]).collect(),
+            numbers: of_spots("anchor").into_iter().chain(set_down::NUMBERS.map(str::to_owned)).collect(),
             modes: (0..self.spots.len()).map(|i| format!("spot_{i}")).collect(),
             outputs: vec![
                 Output { components, frame: VectorFrame::World, ..force },
@@ -137,12 +138,10 @@ impl<S: Scalar> Element<S> for Contact<S> {
                     &["m"],
                 ),
                 number("contact_points", "number of points of a contact that touch", &["1"]),
-                number(
-                    "contact_impact_speed",
-                    "relative normal speed at the latest touch of a load that did not touch; 0 before the first",
-                    &["m/s"],
-                ),
-            ],
+            ]
+            .into_iter()
+            .chain(set_down::outputs(&self.name))
+            .collect(),
             goes_alone: true,
             events: (0..self.spots.len()).flat_map(|_| &EVENTS[..self.events_of_a_spot()]).copied().collect(),
             ..Declaration::default()
@@ -150,9 +149,7 @@ impl<S: Scalar> Element<S> for Contact<S> {
     }
 
     fn begin(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
-        if let Some(impact) = own.numbers.last_mut() {
-            *impact = S::ZERO;
-        }
+        own.numbers.fill(S::ZERO);
         let sides = self.sides_at(at);
         let first_of_search = at.evaluation == EvaluationMode::Settling && !self.settles;
         self.settles = at.evaluation == EvaluationMode::Settling;
@@ -251,8 +248,8 @@ impl<S: Scalar> Element<S> for Contact<S> {
         let impulse = at.states.last().copied().unwrap_or(S::ZERO);
         out.extend(force.0);
         let penetration = deepest.select_below(0.0, || S::ZERO, || deepest);
-        let impact = at.numbers.last().copied().unwrap_or(S::ZERO);
-        out.extend([normal, friction, impulse, penetration, -deepest, count, impact]);
+        out.extend([normal, friction, impulse, penetration, -deepest, count]);
+        out.extend(set_down::values(at, &self.sides));
     }
 
     fn event_indicators(&mut self, at: &Context<'_, S>, values: &mut [S]) {
@@ -267,8 +264,8 @@ impl<S: Scalar> Element<S> for Contact<S> {
         let (i, event) = (event / self.events_of_a_spot(), event % self.events_of_a_spot());
         let met = self.met(i, &self.sides_at(at));
         let is_alone = (0..self.spots.len()).all(|other| other == i || !matches!(own.modes[other], HOLDS | SLIDES));
-        if let (TOUCHES, true, Some(impact)) = (event, is_alone, own.numbers.last_mut()) {
-            *impact = met.rate();
+        if event == TOUCHES {
+            set_down::record(own.numbers, met.rate(), is_alone);
         }
         match (event, self.friction) {
             (LEAVES, _) => self.let_go(i, own),

@@ -7,7 +7,7 @@ use crate::dynamics::LinkKinematics;
 use crate::elements::contact::{Friction, dissipation};
 use crate::elements::ropes::assembly::at_start::at_rest;
 use crate::elements::{AnyElement, Contact, of_kind, of_kind_mut};
-use crate::model::{Attachment, Model};
+use crate::model::Model;
 use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::assembly::attachments::attachment;
 use crate::scenario::assembly::rigid_bodies::rigid;
@@ -15,7 +15,7 @@ use crate::scenario::assembly::{FieldError, known};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema::{self, Scenario};
 use crate::simulation::Setup;
-use crate::spatial::{Vector3, rotation_from_roll_pitch_yaw};
+use crate::spatial::{Frame, Vector3, rotation_from_roll_pitch_yaw};
 
 /// Smallest restitution: below it the rebound is not visible.
 const LEAST_RESTITUTION: f64 = 0.1;
@@ -48,7 +48,7 @@ fn build<S: Quantity>(
         }
         let at = attachment(scenario, model, &field(&format!("{which}.position_m")), &pin)?;
         let rotation = rotation_from_roll_pitch_yaw(Vector3(orientation_rad));
-        Ok(Some(Attachment { in_body: crate::spatial::Frame { rotation, ..at.in_body }, ..at }))
+        Ok(Some(model.attachment(at.body, Frame { rotation, ..at.in_body })))
     };
     let of_load = place("load", &load.body, load.position_m, load.orientation_rad)?;
     let of_surface = place("surface", &surface.body, surface.position_m, surface.orientation_rad)?;
