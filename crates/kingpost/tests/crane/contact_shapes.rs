@@ -44,7 +44,7 @@ fn a_bar_rests_on_a_crossing_bar_by_its_weight_over_the_stiffness() {
     let shapes = |kind: &str| format!("shape: {{{kind}: {{radius_m: 0.25, length_m: 3, axis: x}}}}");
     for load in ["capsule", "cylinder"] {
         for surface in ["capsule", "cylinder"] {
-            for angle in [1.5707963267948966, 0.8, 0.4] {
+            for angle in [1.5, 0.8, 0.4] {
                 let turned = format!("orientation_rad: [0, 0, {angle}], {}", shapes(load));
                 let mut run = at_rest(&over(&prismatic(0.495), &turned, &shapes(surface), 0.0));
                 let depth = values(&mut run, "contact_penetration")[0];

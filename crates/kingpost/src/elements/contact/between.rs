@@ -32,7 +32,8 @@ impl<S: Scalar> ContactSolid<S> {
     /// use kingpost::spatial::{Frame, Vector3};
     /// let deck = ContactSolid::Box { half: [10.0, 5.0, 1.0] };
     /// let ball = ContactSolid::Sphere { radius: 0.5 };
-    /// assert_eq!(deck.distance_to(&ball, &Frame::translation(Vector3::new(13.0, 0.0, 5.0))), 4.5);
+    /// let distance = deck.distance_to(&ball, &Frame::translation(Vector3::new(13.0, 0.0, 5.0)));
+    /// assert!((distance - 4.5).abs() < 1e-15);
     /// ```
     pub fn distance_to(&self, other: &Self, seen: &Frame<S>) -> S {
         let Nearest { normal, point, shares } = match (self, other) {

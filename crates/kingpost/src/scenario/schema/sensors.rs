@@ -25,7 +25,7 @@ pub enum Sensor<S = f64> {
     LoadCell(LoadCell<S>),
     /// Where an antenna is.
     SatelliteReceiver(SatelliteReceiver<S>),
-    /// The distance of a point from another point, or from a solid.
+    /// The distance between two points or solids.
     Clearance(Clearance<S>),
     /// The height of a point above the surface of the sea.
     AirGap(AirGap<S>),
