@@ -80,6 +80,14 @@ export interface Description {
    */
   loops: LoopDescription[];
   /**
+   * The loops that an input releases and engages.
+   */
+  connections: ConnectionDescription[];
+  /**
+   * The steps of the operation; none without one.
+   */
+  steps: StepDescription[];
+  /**
    * The forces and the drives.
    */
   elements: ElementDescription[];
@@ -322,6 +330,103 @@ export interface PointDescription1 {
    * @maxItems 3
    */
   position_m: [number, number, number];
+}
+/**
+ * A loop that an input releases and engages.
+ */
+export interface ConnectionDescription {
+  /**
+   * Name.
+   */
+  name: string;
+  first: PointDescription2;
+  second: PointDescription3;
+  /**
+   * Its constraints, as named in the scenario.
+   */
+  constraints: string[];
+  /**
+   * Whether it begins released.
+   */
+  begins_released: boolean;
+}
+/**
+ * The attachment to the first body.
+ */
+export interface PointDescription2 {
+  /**
+   * The body that carries it, or its segment if it is flexible, or `world`.
+   */
+  body: string;
+  /**
+   * Position from the body's centre of mass in body axes, or from the world's origin, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m: [number, number, number];
+}
+/**
+ * The attachment to the second body.
+ */
+export interface PointDescription3 {
+  /**
+   * The body that carries it, or its segment if it is flexible, or `world`.
+   */
+  body: string;
+  /**
+   * Position from the body's centre of mass in body axes, or from the world's origin, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m: [number, number, number];
+}
+/**
+ * A step of the operation.
+ */
+export interface StepDescription {
+  /**
+   * Its name.
+   */
+  name: string;
+  /**
+   * Its moves.
+   */
+  moves: MoveDescription[];
+  /**
+   * The condition that ends it, as text.
+   */
+  until: string;
+  /**
+   * Largest duration, s; absent if there is none.
+   */
+  time_out_s: number | null;
+}
+/**
+ * The move of an input.
+ */
+export interface MoveDescription {
+  /**
+   * Name of the input, mostly the name of its drive.
+   */
+  input: string;
+  /**
+   * The new value.
+   */
+  to: number;
+  /**
+   * Unit of the value.
+   */
+  unit: string;
+  /**
+   * When it begins, s after the start of the step.
+   */
+  at_s: number;
+  /**
+   * Its duration, s; 0 for a jump.
+   */
+  in_s: number;
 }
 /**
  * A force, a drive, a sensor or a controller.
@@ -636,7 +741,7 @@ export interface Channel {
   /**
    * Frame of the components.
    */
-  frame: "world" | "body" | "joint" | "loop" | "slow_frame" | "heading" | "none";
+  frame: "world" | "body" | "joint" | "loop" | "surface" | "slow_frame" | "heading" | "none";
   /**
    * Names of the dimensions, slowest first.
    */

@@ -26,7 +26,10 @@ impl<S: Quantity> Assemble<S> for schema::Clearance<S> {
         }
         let sides = [(first, field("first")), (second, field("second"))].map(|(given, field)| {
             let pin = pin(at.scenario, &field, &given.body, given.point.as_ref(), given.position_m)?;
-            Ok((solid(at.scenario, &field, given)?, frame(at.model, place(at.scenario, at.model, &field, &pin)?, given)))
+            Ok((
+                solid(at.scenario, &field, given)?,
+                frame(at.model, place(at.scenario, at.model, &field, &pin)?, given),
+            ))
         });
         let [(own, own_place), (from, from_place)] = both(sides)?;
         if let (Some(ContactSolid::Plane { .. }), Some(ContactSolid::Plane { .. })) = (&own, &from) {
