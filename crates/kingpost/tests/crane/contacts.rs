@@ -80,7 +80,7 @@ fn the_set_down_of_a_load_is_in_axes_of_its_surface() {
     let text = format!(
         "version: 1
 title: A box on a slope
-simulation: {FINE}
+simulation: {{{FINE}}}
 bodies:
   box: {{mass_kg: 1000, shape: {{box: {{length_m: 2, width_m: 1, height_m: 1}}}}, joint: {{floating: {{}}}}}}
 forces:
@@ -90,8 +90,7 @@ forces:
       surface: {{body: world, position_m: [1, 2, -3], orientation_rad: [0.1, 0, 0], shape: {{plane: {{}}}}}}
       stiffness_N_per_m: 1e6
       friction_coefficient: 0
-",
-        FINE = format!("{{{FINE}}}")
+"
     );
     let mut found = simulation(&text);
     // Level, 0.3 rad from x about z, over a surface that leans about x.
