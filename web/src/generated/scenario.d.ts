@@ -2705,8 +2705,8 @@ export type Rope = {
    */
   breaking_load_kN?: number | null;
   /**
-   * The bodies that hang on it. The dynamic amplification factor is the rope's tension over its tension with these
-   * bodies at rest in air.
+   * The bodies that hang on it, all of them: hook block, slings' bodies, load. The dynamic amplification factor is the
+   * rope's tension over its tension with these bodies at rest in air; it is 1 while they hang at rest.
    */
   carries?: CarriedByRope[];
   /**
@@ -5542,10 +5542,11 @@ export interface CarriedByRope {
    */
   body: string;
   /**
-   * Tension of the rope at rest over the weight of the body; without it, 1 over the number of falls at the end of
-   * the rope. For each of n slings at an angle b to the horizontal the share is 1 / (n sin b).
+   * Pull of the rope at rest, of all its falls at the load together, over the weight of the body: 1 for a rope that
+   * carries the body alone, on any number of falls; 1 / (n sin b) for each of n slings at an angle b to the
+   * horizontal; 0.5 for each of two cranes that share a load evenly.
    */
-  share?: number | null;
+  share?: number;
 }
 /**
  * Points that touch.

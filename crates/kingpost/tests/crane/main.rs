@@ -38,6 +38,7 @@ mod rope_leads;
 mod rope_mistakes;
 mod rope_motions;
 mod rope_release_and_tuggers;
+mod rope_shares;
 mod rope_weight;
 mod ropes;
 mod sensor_errors;

@@ -1,6 +1,7 @@
 //! Warnings about a model, before it runs.
 
 use crate::elements::hull::Hydrostatics;
+use crate::elements::ropes::assembly::resting_load;
 use crate::elements::{AnyElement, Hull, significant};
 use crate::model::Model;
 use crate::scenario::assembly::wave_motion::other_unit;
@@ -33,10 +34,14 @@ fn falls(model: &Model, falling: &[usize]) -> Vec<String> {
     falling.iter().take(MOST_NAMED).map(of).chain(rest).collect()
 }
 
-/// Warns of effects that elements leave out and that are not small at the start of the run, and of feedback.
-pub fn at_start(setup: &Setup) -> impl Iterator<Item = String> + use<> {
+/// Warns of effects that elements leave out and that are not small at the start of the run, of loads that are not those of
+/// their ropes, and of feedback.
+pub fn at_start(setup: &Setup) -> Vec<String> {
     let mut simulation = Simulation::recursive(setup.clone());
-    simulation.left_out().into_iter().chain(of_feedback(&mut simulation))
+    let mut warnings = simulation.left_out();
+    warnings.extend(resting_load::warnings(setup, &mut simulation));
+    warnings.extend(of_feedback(&mut simulation));
+    warnings
 }
 
 /// Warns of feedback that makes a mode unstable, by the linear check at the start of the run.
