@@ -23,7 +23,7 @@ const MOST_NAMED: usize = 5;
 pub fn of(scenario: &Scenario, model: &Model, world: &World, elements: &[AnyElement]) -> Vec<String> {
     let falling = falls(model, &falling(model, world, elements)).into_iter();
     let of_files = of_databases(scenario, model, world, elements).into_iter().chain(of_raos(scenario, model, world));
-    falling.chain(of_files).chain(units::of(scenario)).collect()
+    falling.chain(of_files).chain(units::of(scenario)).chain(scenario.overwritten.iter().cloned()).collect()
 }
 
 /// Returns a warning for each falling body up to `MOST_NAMED`, and one warning for all others.
