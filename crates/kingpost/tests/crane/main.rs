@@ -4,6 +4,7 @@
 mod common;
 
 mod clearances;
+mod closing_contacts;
 mod connections;
 mod contact_friction;
 mod contact_mistakes;

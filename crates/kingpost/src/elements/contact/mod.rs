@@ -1,6 +1,7 @@
 //! Contact of a load with a deck, a quay, the seabed, another vessel.
 
 pub(crate) mod assembly;
+mod closed;
 pub(crate) mod fields;
 mod friction;
 mod law;
@@ -10,6 +11,7 @@ mod solid;
 mod spot;
 mod watch;
 
+pub use closed::ClosedContact;
 pub use friction::Friction;
 pub use restitution::dissipation;
 pub use solid::ContactSolid;

@@ -1,6 +1,7 @@
 //! Description of a scenario for a view, which draws it and shows its parameters.
 
 mod afloat;
+mod closing_contacts;
 mod facts;
 mod in_water;
 mod units;
