@@ -264,12 +264,21 @@ export type FlexibleDamping =
  */
 export type InitialMotion = {
   /**
-   * Position of the centre of mass in the world, m.
+   * Position of the centre of mass in the world, m. With another centre of mass the whole body stands elsewhere: see
+   * `drawing_frame_m`.
    *
    * @minItems 3
    * @maxItems 3
    */
   position_m?: [number, number, number];
+  /**
+   * Position of the origin of the body's drawing frame in the world, m, instead of `position_m`: the body stays where it
+   * is drawn when its centre of mass changes.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  drawing_frame_m?: [number, number, number] | null;
   /**
    * Roll, pitch, yaw (intrinsic z-y-x angles), rad.
    *
