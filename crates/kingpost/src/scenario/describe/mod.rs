@@ -4,6 +4,7 @@ mod afloat;
 mod closing_contacts;
 mod facts;
 mod in_water;
+mod under_water;
 mod units;
 mod warnings;
 
@@ -265,7 +266,10 @@ impl Scenario {
             limits: limits.iter().cloned().map(describe_limit).collect(),
             live_settings: LIVE_SETTINGS.into(),
             parameters: self.parameter_values().into_iter().map(describe_parameter).collect(),
-            warnings: warnings::of(self, model, world, elements).into_iter().chain(warnings::at_start(setup)).collect(),
+            warnings: warnings::of(self, model, world, elements)
+                .into_iter()
+                .chain(warnings::at_start(self, setup))
+                .collect(),
         }
     }
 }

@@ -5,7 +5,7 @@ use crate::elements::ropes::assembly::resting_load;
 use crate::elements::{AnyElement, Hull, significant};
 use crate::model::Model;
 use crate::scenario::assembly::wave_motion::other_unit;
-use crate::scenario::describe::{closing_contacts, units};
+use crate::scenario::describe::{closing_contacts, under_water, units};
 use crate::scenario::schema::{Joint, Scenario};
 use crate::scenario::ties::{carrying, floats_freely, tied_to_the_world};
 use crate::sea::database::Database;
@@ -35,11 +35,12 @@ fn falls(model: &Model, falling: &[usize]) -> Vec<String> {
 }
 
 /// Warns of effects that elements leave out and that are not small at the start of the run, of loads that are not those of
-/// their ropes, of contacts that are too stiff for the step, and of feedback.
-pub fn at_start(setup: &Setup) -> Vec<String> {
+/// their ropes, of springs under water, of contacts that are too stiff for the step, and of feedback.
+pub fn at_start(scenario: &Scenario, setup: &Setup) -> Vec<String> {
     let mut simulation = Simulation::recursive(setup.clone());
     let mut warnings = simulation.left_out();
     warnings.extend(resting_load::warnings(setup, &mut simulation));
+    warnings.extend(under_water::warnings(scenario, setup));
     warnings.extend(closing_contacts::warnings(setup));
     warnings.extend(of_feedback(&mut simulation));
     warnings
