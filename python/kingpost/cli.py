@@ -20,6 +20,7 @@ from . import __version__
 from .commands import (
     check,
     convert,
+    fields,
     forecast,
     gallery,
     hydro,
@@ -49,6 +50,7 @@ COMMANDS = {
     "plot": plot,
     "forecast": forecast,
     "list": gallery,
+    "fields": fields,
     "paper": paper,
     "convert": convert,
     "hydro": hydro,

@@ -11,6 +11,7 @@ import docs_commands
 import docs_gallery
 import docs_schema
 import pytest
+from kingpost.reports import fields
 
 ROOT = Path(__file__).resolve().parents[2]
 SCHEMA = ROOT / "schema" / "scenario.schema.json"
@@ -69,7 +70,7 @@ def test_the_unit_of_a_name_is_the_unit_that_its_description_ends_in(schema) -> 
         for name, field in one["properties"].items():
             unit = docs_schema.unit(name).translate(powers)
             ending = re.search(r", ([A-Za-z/^0-9 ()]+)\.$", field.get("description", ""))
-            known = {other.translate(powers) for other in docs_schema.UNITS.values()}
+            known = {other.translate(powers) for other in fields.UNITS.values()}
             if ending and ending[1] in known and "x-alias-of" not in field:
                 seen += 1
                 assert unit == ending[1], f"{name}: {field['description']}"

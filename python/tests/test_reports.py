@@ -253,3 +253,16 @@ def test_a_ship_on_dynamic_positioning_has_damped_modes_of_surge_sway_and_yaw():
         assert -value.real > 0.4 * abs(value)
     named = {str(name) for name in found["named_after"].values}
     assert {"hull.x", "hull.y", "hull.yaw"} <= named
+
+
+def test_check_prints_where_a_hull_stands_that_is_drawn_from_its_keel(tmp_path, capsys) -> None:
+    """A hull whose centre of mass is drawn one metre forward and two over the keel."""
+    path = tmp_path / "hull.yaml"
+    path.write_text(
+        "{version: 1, title: A hull, bodies: {hull: {mass_t: 10, centre_of_mass_m: [1, 0, 2], "
+        "shape: {sphere: {radius_m: 1}}, joint: {floating: {initial: {drawing_frame_m: [10, 0, -3]}}}}}}"
+    )
+    assert main(["check", str(path)]) == 0
+    rows = [line.split("  ") for line in capsys.readouterr().out.splitlines()]
+    placed = [[cell.strip() for cell in row if cell] for row in rows if row[0] == "hull"]
+    assert ["hull", "11.000, 0.000, -1.000", "10.000, 0.000, -3.000"] in placed

@@ -92,7 +92,7 @@ export class FakeEngine implements Engine {
       record_every_s: this.recordEvery_s,
       integrator: "rk4",
       bodies: [
-        { name: "ship", parent: "world", floats: true, is_submerged: false, mass_kg: 1200, inertia_kg_m2: [[200, 0, 0], [0, 500, 0], [0, 0, 500]], shape: { box: { length_m: 2, width_m: 1, height_m: 1 } }, colour: null },
+        { name: "ship", parent: "world", floats: true, is_submerged: false, mass_kg: 1200, inertia_kg_m2: [[200, 0, 0], [0, 500, 0], [0, 0, 500]], shape: { box: { length_m: 2, width_m: 1, height_m: 1 } }, colour: null, at_start: null },
       ],
       joints: [{ name: "ship", body: "ship", kind: "floating", free_coordinates: [], prescribed: [] }],
       elements: [],

@@ -24,7 +24,7 @@ it("transforms the corners of a body's box to the world frame", () => {
 });
 
 it("gives the box around a body's shape, and the box with its frame", () => {
-  const body = { name: "arm", parent: "tower", floats: false, is_submerged: false, colour: null, mass_kg: 500, inertia_kg_m2: UNUSED };
+  const body = { name: "arm", parent: "tower", floats: false, is_submerged: false, colour: null, at_start: null, mass_kg: 500, inertia_kg_m2: UNUSED };
   const cylinder = boxOf({ ...body, shape: { kind: "cylinder", radius_m: 0.5, length_m: 7, axis: "x" } }, undefined);
   expect(edgesOf(cylinder)).toEqual([7, 1, 1]);
   const sphere = boxOf({ ...body, shape: { kind: "sphere", radius_m: 1 } }, undefined);
@@ -32,7 +32,7 @@ it("gives the box around a body's shape, and the box with its frame", () => {
 });
 
 it("gives a hull the box of its mesh, wherever its centre of mass is", () => {
-  const body = { name: "hull", parent: "world", floats: true, is_submerged: false, colour: null, mass_kg: 500, inertia_kg_m2: UNUSED, shape: { kind: "sphere", radius_m: 1 } as const };
+  const body = { name: "hull", parent: "world", floats: true, is_submerged: false, colour: null, at_start: null, mass_kg: 500, inertia_kg_m2: UNUSED, shape: { kind: "sphere", radius_m: 1 } as const };
   const vertices_m: [number, number, number][] = [[-9, -2, -3], [11, 0, 1], [0, 2, 1]];
   const hull = { name: "water", body: "hull", origin_m: [0, 0, -1] as [number, number, number], draught_m: 2, length_m: 20, beam_m: 4, is_linear: true };
   expect(boxOf(body, { ...hull, mesh: { vertices_m, triangles: [[0, 1, 2]] } })).toEqual({ low: [-9, -2, -3], high: [11, 2, 1] });

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from ..results.units import engineering
 from . import hydrostatics, sea, splash
 from .run import steps
-from .tables import kilograms, masses, table
+from .tables import fixed, kilograms, masses, table
 
 if TYPE_CHECKING:
     from ..scenario import Scenario
@@ -31,6 +31,7 @@ def text(scenario: Scenario, coordinates: Sequence[str]) -> str:
         [scenario.title],
         _parts(described["parts"]),
         _bodies(described, {hull["body"] for hull in scenario.hydrostatics["hulls"]}),
+        _places(described["bodies"]),
         [
             f"total mass: {kilograms(mass)}",
             f"free coordinates ({len(coordinates)}): {', '.join(coordinates)}",
@@ -96,6 +97,16 @@ def _bodies(described: dict[str, Any], afloat: set[str]) -> list[str]:
         how = f"{_kind(joint, afloat)} {joint['name']}" if joint else ""
         rows.append((body["name"], mass, body.get("parent") or WORLD, how))
     return table(rows, "<><<")
+
+
+def _places(bodies: list[dict[str, Any]]) -> list[str]:
+    """The places of floating bodies whose drawing frame does not begin at their centre of mass."""
+    rows = [("at the start, m", "centre of mass", "origin of the drawing frame")]
+    for body in bodies:
+        if place := body.get("at_start"):
+            points = (place["centre_of_mass_m"], place["drawing_frame_m"])
+            rows.append((body["name"], *(", ".join(fixed(x, 3) for x in point) for point in points)))
+    return table(rows, "<<<") if len(rows) > 1 else []
 
 
 def _kind(joint: dict[str, Any], afloat: set[str]) -> str:

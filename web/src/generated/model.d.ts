@@ -194,6 +194,10 @@ export interface BodyDescription {
    * Colour, as `#rrggbb`.
    */
   colour: string | null;
+  /**
+   * Where it is at the start, if its joint is floating and its drawing frame does not begin at its centre of mass.
+   */
+  at_start: PlaceAtStart | null;
 }
 /**
  * A solid box, its edges along the body's axes.
@@ -242,6 +246,25 @@ export interface SphereShape {
  * A point mass: no extent, no inertia of its own.
  */
 export interface PointShape {}
+/**
+ * The place of a floating body at the start of a run, in the world.
+ */
+export interface PlaceAtStart {
+  /**
+   * Position of the centre of mass, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  centre_of_mass_m: [number, number, number];
+  /**
+   * Position of the origin of the drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  drawing_frame_m: [number, number, number];
+}
 /**
  * A joint, with its coordinates.
  */

@@ -264,12 +264,21 @@ export type FlexibleDamping =
  */
 export type InitialMotion = {
   /**
-   * Position of the centre of mass in the world, m.
+   * Position of the centre of mass in the world, m. With another centre of mass the whole body stands elsewhere: see
+   * `drawing_frame_m`.
    *
    * @minItems 3
    * @maxItems 3
    */
   position_m?: [number, number, number];
+  /**
+   * Position of the origin of the body's drawing frame in the world, m, instead of `position_m`: the body stays where it
+   * is drawn when its centre of mass changes.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  drawing_frame_m?: [number, number, number] | null;
   /**
    * Roll, pitch, yaw (intrinsic z-y-x angles), rad.
    *
@@ -2705,8 +2714,8 @@ export type Rope = {
    */
   breaking_load_kN?: number | null;
   /**
-   * The bodies that hang on it. The dynamic amplification factor is the rope's tension over its tension with these
-   * bodies at rest in air.
+   * The bodies that hang on it, all of them: hook block, slings' bodies, load. The dynamic amplification factor is the
+   * rope's tension over its tension with these bodies at rest in air; it is 1 while they hang at rest.
    */
   carries?: CarriedByRope[];
   /**
@@ -5636,10 +5645,11 @@ export interface CarriedByRope {
    */
   body: string;
   /**
-   * Tension of the rope at rest over the weight of the body; without it, 1 over the number of falls at the end of
-   * the rope. For each of n slings at an angle b to the horizontal the share is 1 / (n sin b).
+   * Pull of the rope at rest, of all its falls at the load together, over the weight of the body: 1 for a rope that
+   * carries the body alone, on any number of falls; 1 / (n sin b) for each of n slings at an angle b to the
+   * horizontal; 0.5 for each of two cranes that share a load evenly.
    */
-  share?: number | null;
+  share?: number;
 }
 /**
  * Points that touch.

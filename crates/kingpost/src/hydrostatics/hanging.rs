@@ -2,7 +2,7 @@
 //! that stand on the deck: their weight acts at their position.
 
 use crate::dynamics::{Kinematics, LinkKinematics};
-use crate::elements::{BodyPair, Context, PresentSupport, Support};
+use crate::elements::{BodyPair, Context, PresentSupport, Rope, Support};
 use crate::model::{Attachment, JointKind, Model, MotionType};
 use crate::simulation::Setup;
 use crate::spatial::Vector3;
@@ -42,6 +42,8 @@ pub(super) struct Restraints {
     bodies: Vec<usize>,
     /// Spring lines and the legs of ropes, by name.
     lines: Vec<(String, [Attachment; 2])>,
+    /// Legs of all ropes, slack ones too.
+    pub(super) legs: Vec<[Attachment; 2]>,
     /// Bodies to which loops, cylinders and mooring lines are attached.
     tied: Vec<usize>,
     /// Hulls in the water.
@@ -66,9 +68,16 @@ impl Restraints {
             let present = element.present_supports(&at);
             present.into_iter().for_each(|support| found.add_present(element.name(), support));
         }
+        let stations = Rope::among(&setup.elements).flat_map(|rope| rope.path.stations().windows(2));
+        found.legs = stations.map(|ends| [ends[0].centre, ends[1].centre]).collect();
         let of_lines = found.lines.iter().flat_map(|(_, ends)| ends).filter_map(|end| end.body);
         found.bodies = found.tied.iter().copied().chain(of_lines).collect();
         found
+    }
+
+    /// Returns whether a body is a hull in the water.
+    pub(super) fn is_wet(&self, body: usize) -> bool {
+        self.wet.contains(&body)
     }
 
     fn add(&mut self, support: Support) {
@@ -109,7 +118,7 @@ impl Restraints {
 /// A load that hangs on lines from a single point of a ship.
 pub(super) struct OnLine {
     line: String,
-    bodies: Vec<usize>,
+    pub(super) bodies: Vec<usize>,
     /// The suspension point in the world.
     point: Vector3,
 }

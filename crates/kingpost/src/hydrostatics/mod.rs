@@ -18,6 +18,7 @@ mod hanging;
 mod in_current;
 mod liquids;
 mod righting;
+mod unsuspended;
 mod wave_data;
 
 pub use hanging::HangingLoad;
@@ -187,6 +188,7 @@ impl Scenario {
                 warnings.extend(floating.drift_warnings(afloat.keel_to_gravity_m));
             }
             warnings.extend(floating.direction_warnings());
+            warnings.extend(afloat.iter().flat_map(|afloat| floating.unsuspended(afloat)));
             report.hulls.extend(afloat);
             report.warnings.extend(warnings);
         }

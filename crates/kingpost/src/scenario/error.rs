@@ -108,6 +108,17 @@ pub(crate) enum SourcePlace {
 
 impl SourcePlace {
     pub(super) const START: Self = Self::File { line: 1, column: 1 };
+
+    /// Returns whether both places are in the same file; a place from outside is in none.
+    pub(super) fn is_in_the_file_of(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::File { .. }, Self::File { .. }) => true,
+            (Self::Part { file, prefix, .. }, Self::Part { file: of_other, prefix: prefix_of_other, .. }) => {
+                file == of_other && prefix == prefix_of_other
+            }
+            _ => false,
+        }
+    }
 }
 
 /// An error of a field and its place; the name of the file is added last.

@@ -1,6 +1,7 @@
 //! Parameters and overrides: values that are written into the tree of a scenario before it is converted to
 //! types.
 
+use crate::elements::significant;
 use indexmap::IndexMap;
 use serde_json::Value;
 
@@ -37,12 +38,13 @@ pub(super) struct OverrideTarget<'a> {
     pub(super) whole: &'a Value,
 }
 
-/// Writes the defaults of all parameters, then the overrides in their order.
+/// Writes the defaults of all parameters, then the overrides in their order. Returns warnings of the values in the same
+/// file that defaults replace, except those that an override replaces too.
 pub(super) fn apply(
     mut target: OverrideTarget<'_>,
     parameters: &[Parameter],
     overrides: &[Override<'_>],
-) -> Result<(), Fault> {
+) -> Result<Vec<String>, Fault> {
     let mut kinds = IndexMap::new();
     for (index, parameter) in parameters.iter().enumerate() {
         let definition = Definition { parameter, index };
@@ -52,6 +54,8 @@ pub(super) fn apply(
             return Err(definition.fault(&target, "name", found, "each name once"));
         }
     }
+    let definitions = || parameters.iter().enumerate().map(|(index, parameter)| Definition { parameter, index });
+    let replaced = definitions().flat_map(|definition| definition.replaced(&target, overrides)).collect();
     for (index, parameter) in parameters.iter().enumerate() {
         let definition = Definition { parameter, index };
         if let Some(default) = &parameter.default {
@@ -82,7 +86,7 @@ pub(super) fn apply(
             }
         }
     }
-    Ok(())
+    Ok(replaced)
 }
 
 /// Returns whether a path is in the list of parameters.
@@ -110,6 +114,27 @@ impl Definition<'_> {
     ) -> Fault {
         let path = self.path(field);
         Fault::new(&target.tree.place_of(&path), path.join("."), found, allowed)
+    }
+
+    /// Returns a warning for each field with another value than the default that will replace it, in the same file.
+    fn replaced(&self, target: &OverrideTarget<'_>, overrides: &[Override<'_>]) -> Vec<String> {
+        let Parameter { name, default: Some(default), unit, writes, .. } = self.parameter else { return Vec::new() };
+        let is_set = |path: &String| overrides.iter().any(|given| given.name == name.as_str() || given.name == path);
+        let place = target.tree.place_of(&self.path("default"));
+        let warning = |path: &String| {
+            let written = target.number_at(path)?;
+            let at = target.tree.place_of(&units::si_path(&segments(path)).0);
+            (at.is_in_the_file_of(&place) && !is_set(path) && !is_close(&written, default)).then(|| {
+                format!(
+                    "parameters.{name}: its default, {} {unit}, replaces {path}: {}, which the same file gives: write the value \
+                     that holds in one of the two places",
+                    shown(default),
+                    shown(&written)
+                )
+                .replace(" ,", ",")
+            })
+        };
+        writes.iter().filter_map(warning).collect()
     }
 
     /// Returns the kind of the parameter, after a check of its definition.
@@ -193,6 +218,25 @@ impl Definition<'_> {
             let name_place = target.tree.place_of(&self.path(&format!("writes.{index}")));
             target.write(path, &value.to_value(), place, &name_place)
         })
+    }
+}
+
+/// Returns whether two values are the same within the rounding of a unit.
+fn is_close(one: &ParameterValue, other: &ParameterValue) -> bool {
+    match (one, other) {
+        (ParameterValue::Number(one), ParameterValue::Number(other)) => {
+            (one - other).abs() <= UNIT_ROUNDING * one.abs().max(other.abs())
+        }
+        _ => one == other,
+    }
+}
+
+/// Returns a value as a warning shows it.
+fn shown(value: &ParameterValue) -> String {
+    match value {
+        ParameterValue::Number(number) => significant(*number, 6),
+        ParameterValue::Boolean(value) => value.to_string(),
+        ParameterValue::Text(text) => text.clone(),
     }
 }
 

@@ -183,8 +183,10 @@ impl AsWritten {
 
     /// Applies parameters and overrides to a tree and reads the scenario.
     fn resolved(&self, tree: &mut ScenarioNode, overrides: &[Override<'_>]) -> Result<Scenario, Fault> {
-        parameters::apply(OverrideTarget { tree, whole: &self.whole }, &self.parameters, overrides)?;
+        let target = OverrideTarget { tree, whole: &self.whole };
+        let overwritten = parameters::apply(target, &self.parameters, overrides)?;
         let mut scenario: Scenario = reading::read(tree)?;
+        scenario.overwritten = overwritten;
         for parameter in &mut scenario.parameters {
             parameter.default = None;
         }

@@ -4,6 +4,7 @@
 mod common;
 
 mod clearances;
+mod closing_contacts;
 mod connections;
 mod contact_friction;
 mod contact_mistakes;
@@ -39,6 +40,7 @@ mod rope_leads;
 mod rope_mistakes;
 mod rope_motions;
 mod rope_release_and_tuggers;
+mod rope_shares;
 mod rope_weight;
 mod ropes;
 mod sensor_errors;

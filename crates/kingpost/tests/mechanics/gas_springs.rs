@@ -115,3 +115,24 @@ fn a_gas_spring_without_gas_at_the_end_of_its_travel_is_refused() {
     let found = error(&[("bodies.piston.joint.prismatic.gas_spring.pressure_Pa", json!(-1))]);
     assert!(found.contains("gas_spring.pressure_Pa: found -1, allowed: a number greater than 0"), "{found}");
 }
+
+/// At 100 m the water has 101 325 + 1025 * 9.80665 * 100 Pa, 1.106 MPa.
+#[test]
+fn a_gas_spring_under_water_with_the_pressure_of_the_atmosphere_outside_gives_a_warning() {
+    let warnings = |height: f64, sea: &str, more: &str| {
+        let text =
+            piston(1.4, more).replace("        axis:", &format!("        position_m: [0, 0, {height}]\n        axis:"));
+        let text = format!("{text}forces: {{gravity: {{gravity: {{acceleration_m_s2: 9.80665}}}}}}\n{sea}");
+        read(&text, "piston.yaml", &[]).expect("it reads").describe().expect("it builds").warnings
+    };
+    let sea = "sea: {density_kg_m3: 1025}\n";
+    let found = warnings(-100.0, sea, "");
+    let [warning] = found.as_slice() else { panic!("{found:?}") };
+    let expected = "piston: its gas spring begins 100 m under water, where the pressure is 1.11 MPa absolute, and its \
+                    outside_pressure_Pa is 0.101 MPa: its force is 20.1 kN too large";
+    assert!(warning.starts_with(expected), "{warning}");
+    for none in [warnings(5.0, sea, ""), warnings(-100.0, "", ""), warnings(-100.0, sea, ", outside_pressure_bar: 11")]
+    {
+        assert_eq!(none, Vec::<String>::new());
+    }
+}

@@ -6,6 +6,7 @@ mod common;
 mod built;
 mod damaged_files;
 mod derivatives;
+mod drawing_frames;
 mod gallery;
 mod golden;
 mod leaf_cases;

@@ -71,6 +71,7 @@ fn every_field_with_a_place_in_the_world_is_moved_with_a_part() {
     // Moved by the mounting, or of the sea and wind, which are the whole's; or directions that no part has of its own.
     let known = BTreeSet::from([
         "InitialMotion.position_m",
+        "InitialMotion.drawing_frame_m",
         "InitialMotion.velocity_m_s",
         "MovedByWaves.position_m",
         "MovedByWaves.heading_rad",

@@ -55,6 +55,31 @@ fn a_default_replaces_the_value_in_the_file() {
     assert_eq!(slew_position(&scenario.unwrap()), [-10.0, -5.0, 0.0]);
 }
 
+/// A mass of 3 t in the file, with a parameter in t, whose default is another one.
+#[test]
+fn a_default_that_replaces_another_value_of_the_file_gives_a_warning_with_both() {
+    let warnings = |default: f64, mass: &str, overrides: &[(String, Value)]| {
+        let text = format!(
+            "{{version: 1, title: x, parameters: [{{name: load, unit: t, default: {default}, writes: [bodies.mass.mass_t]}}], \
+             bodies: {{mass: {{{mass}, shape: {{point: {{}}}}, joint: {{prismatic: {{axis: [1, 0, 0]}}}}}}}}}}"
+        );
+        read(&text, "mass.yaml", overrides).expect("it reads").describe().expect("it builds").warnings
+    };
+    for mass in ["mass_kg: 3000", "mass_t: 3"] {
+        assert_eq!(
+            warnings(5.0, mass, &[]),
+            [
+                "parameters.load: its default, 5 t, replaces bodies.mass.mass_t: 3, which the same file gives: write the value that \
+              holds in one of the two places"
+            ]
+        );
+        assert_eq!(warnings(3.0, mass, &[]), Vec::<String>::new());
+        for name in ["load", "bodies.mass.mass_t"] {
+            assert_eq!(warnings(5.0, mass, &[(name.to_owned(), json!(4))]), Vec::<String>::new());
+        }
+    }
+}
+
 #[test]
 fn a_parameter_sets_every_field_that_it_writes() {
     let scenario = set(&["torque_history=pulse", "crane_x_m=0", "crane_y_m=2.5", "load=on"]);

@@ -37,12 +37,12 @@ pub struct Connection<S = f64> {
     pub begins_released: bool,
     /// Frame on the second body that coincides with the first end at the start, if it begins engaged.
     at_start: Attachment<S>,
-    held: Held<S>,
+    held: HeldConstraints<S>,
 }
 
 /// Constraints as they were last held.
 #[derive(Clone, Debug)]
-struct Held<S> {
+struct HeldConstraints<S> {
     constraints: Vec<Constraint<S>>,
     /// Frame on the second body that coincides with the first end.
     second: Attachment<S>,
@@ -86,7 +86,7 @@ impl<S: Scalar> Connection<S> {
         tolerance: Option<PoseTolerance<S>>,
         begins_released: bool,
     ) -> Self {
-        let held = Held {
+        let held = HeldConstraints {
             constraints: constraints.iter().map(|(_, constraint)| *constraint).collect(),
             second: ends[1],
             wrenches: vec![Wrench::zero(); constraints.len()],
@@ -261,7 +261,7 @@ impl<S: Scalar> Holding<S> for Connection<S> {
 
     fn restrain(&mut self, at: &Context<'_, S>, held: &mut [TemporaryConstraint<S>]) {
         let [first, second] = &self.ends;
-        let Held { constraints, second: with, wrenches, .. } = &mut self.held;
+        let HeldConstraints { constraints, second: with, wrenches, .. } = &mut self.held;
         if !at.numbers.is_empty() {
             *with = at.model.attachment(second.body, frame(at.numbers));
         }
@@ -283,7 +283,7 @@ impl<S: Scalar> Holding<S> for Connection<S> {
     }
 }
 
-impl<S: Scalar> Held<S> {
+impl<S: Scalar> HeldConstraints<S> {
     /// Returns the wrench of these multipliers, about the second attachment in the axes of the first.
     fn sum(&self, multipliers: &[S]) -> Wrench<S> {
         self.wrenches

@@ -2,6 +2,7 @@
 
 pub(crate) mod assembly;
 mod between;
+mod closed;
 mod curve;
 pub(crate) mod fields;
 mod friction;
@@ -15,6 +16,7 @@ mod solid;
 mod spot;
 mod watch;
 
+pub use closed::ClosedContact;
 pub use curve::Curve;
 pub use friction::Friction;
 pub use hull::ConvexHull;

@@ -37,7 +37,7 @@ pub(super) struct Met<S> {
     /// Rotation of the solid.
     rotation: Matrix3<S>,
     /// Point at which the contact forces act, world, m.
-    point: Vector3<S>,
+    pub(super) point: Vector3<S>,
     /// Velocity of the spot relative to the solid at that point, in the solid's axes, m/s.
     velocity: Vector3<S>,
     /// Outward normal of the solid, in its axes.

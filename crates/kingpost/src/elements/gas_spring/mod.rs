@@ -3,7 +3,7 @@
 pub(crate) mod fields;
 
 use crate::dynamics::Loads;
-use crate::elements::{Context, Declaration, Element, Output};
+use crate::elements::{AnyElement, Context, Declaration, Element, Output, of_kind};
 use crate::scalar::Scalar;
 
 /// A gas behind a piston, which pushes the axis towards positive extensions. With the piston's area A, the volume V_0
@@ -88,6 +88,11 @@ impl<S: Scalar> Element<S> for GasSpring<S> {
 }
 
 impl<S: Scalar> GasSpring<S> {
+    /// Returns the gas springs among the elements.
+    pub fn among(elements: &[AnyElement<S>]) -> impl Iterator<Item = &Self> {
+        of_kind(elements)
+    }
+
     fn whole_volume_at(&self, q: &[S]) -> S {
         self.volume + self.area * (q[self.position] - self.extension)
     }

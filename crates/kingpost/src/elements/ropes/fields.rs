@@ -35,8 +35,8 @@ pub struct Rope<S = f64> {
     pub diameter_m: Option<Positive<S>>,
     /// Tension at which the rope parts, N; without it, the rope never parts.
     pub breaking_load_n: Option<Positive<S>>,
-    /// The bodies that hang on it. The dynamic amplification factor is the rope's tension over its tension with these
-    /// bodies at rest in air.
+    /// The bodies that hang on it, all of them: hook block, slings' bodies, load. The dynamic amplification factor is the
+    /// rope's tension over its tension with these bodies at rest in air; it is 1 while they hang at rest.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub carries: Vec<CarriedByRope<S>>,
     /// The crane's load chart for this rope; without it, the load is not checked.
@@ -69,9 +69,11 @@ pub struct LoadChart<S = f64> {
 pub struct CarriedByRope<S = f64> {
     /// The body: the load, the hook block.
     pub body: Name,
-    /// Tension of the rope at rest over the weight of the body; without it, 1 over the number of falls at the end of
-    /// the rope. For each of n slings at an angle b to the horizontal the share is 1 / (n sin b).
-    pub share: Option<Positive<S>>,
+    /// Pull of the rope at rest, of all its falls at the load together, over the weight of the body: 1 for a rope that
+    /// carries the body alone, on any number of falls; 1 / (n sin b) for each of n slings at an angle b to the
+    /// horizontal; 0.5 for each of two cranes that share a load evenly.
+    #[serde(default = "whole::<S>")]
+    pub share: Positive<S>,
 }
 
 /// A line with a constant-tension winch at its first end: a tugger line or a tag line.
@@ -187,6 +189,11 @@ pub enum PaysOut {
 /// The default of `falls`.
 const fn one() -> u32 {
     1
+}
+
+/// The default of `share`.
+fn whole<S: Leaf>() -> Positive<S> {
+    Positive::literal(1.0)
 }
 
 /// The default of efficiencies: no friction.

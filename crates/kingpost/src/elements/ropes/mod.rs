@@ -25,8 +25,8 @@ pub use weight::RopeWeight;
 
 use crate::dynamics::Loads;
 use crate::elements::{
-    AnyWatcher, Context, Crossing, Declaration, DrawnLine, Element, ElementState, Event, Holding, LineStyle, Output,
-    PresentSupport, Support,
+    AnyElement, AnyWatcher, Context, Crossing, Declaration, DrawnLine, Element, ElementState, Event, Holding,
+    LineStyle, Output, PresentSupport, Support, of_kind,
 };
 use crate::scalar::Scalar;
 use crate::spatial::Vector3;
@@ -67,8 +67,8 @@ pub struct Rope<S = f64> {
     pub damping_time: S,
     /// Tension at which it parts, N.
     pub breaking_load: Option<S>,
-    /// The mass whose weight equals its tension at rest in air, kg.
-    pub carried_mass: Option<S>,
+    /// Its load at rest; `None` if unknown.
+    pub carries: Option<RestingLoad<S>>,
     /// Whether an input with its name releases it and hooks it on again.
     pub can_be_released: bool,
     /// Whether it is released at the start.
@@ -79,6 +79,24 @@ pub struct Rope<S = f64> {
     pub load_chart: Option<LoadChart<S>>,
     /// The constraint of an inextensible rope, instead of elasticity.
     pub inextensible: Option<Inextensible<S>>,
+}
+
+impl<S: Scalar> Rope<S> {
+    /// Returns the ropes among the elements.
+    pub fn among(elements: &[AnyElement<S>]) -> impl Iterator<Item = &Self> {
+        of_kind(elements)
+    }
+}
+
+/// The load of a rope at rest.
+#[derive(Clone, Debug)]
+pub struct RestingLoad<S = f64> {
+    /// The mass whose weight equals the tension of one fall at rest in air, kg.
+    pub mass_on_a_fall: S,
+    /// Number of falls that pull on the load together.
+    pub falls: u32,
+    /// The bodies of the load.
+    pub bodies: Vec<usize>,
 }
 
 /// The only mode: the state of the rope. Only events change it, so that one force law holds throughout a step. If the
@@ -147,7 +165,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
             ),
         ];
         let leads = leads.into_iter().filter(|_| self.path.has_leads());
-        let amplification = self.carried_mass.map(|_| {
+        let amplification = self.carries.as_ref().map(|_| {
             let what =
                 "dynamic amplification factor of a rope: its tension over its tension with the load at rest in air";
             number("rope_daf", what, &["1"])
@@ -237,7 +255,7 @@ impl<S: Scalar> Element<S> for Rope<S> {
         out.push(at.numbers.first().copied().unwrap_or(S::ZERO));
         out.extend(self.path.leads().into_iter().flatten());
         let of_rest = |weight: S| weight.select_below(f64::MIN_POSITIVE, || S::ZERO, || last / weight);
-        out.extend(self.carried_mass.map(|mass| of_rest(mass * at.world.gravity)));
+        out.extend(self.carries.as_ref().map(|load| of_rest(load.mass_on_a_fall * at.world.gravity)));
         out.extend(self.on_chart(at, &now).into_iter().flatten());
     }
 

@@ -52,7 +52,7 @@ impl<S: Quantity> TreeBuilder<S> {
         for (k, axis) in axes(&body.joint).iter().enumerate() {
             self.rotors.push((self.v.len() + k, axis.rotor_inertia));
         }
-        initial(name, body, &mut self.q, &mut self.v)?;
+        initial(name, body, centre, (&mut self.q, &mut self.v))?;
         match flexible {
             None => {
                 let (mass, inertia) = (body.mass_kg.get(), inertia(name, body)?);
@@ -274,8 +274,14 @@ fn forces_in_joint<S: Quantity>(
     Ok(forces)
 }
 
-/// Appends the joint's entries of q and v. Prescribed rates are set by their drive.
-fn initial<S: Quantity>(name: &str, body: &schema::Body<S>, q: &mut Vec<S>, v: &mut Vec<S>) -> Result<(), FieldError> {
+/// Appends the joint's entries of q and v. Prescribed rates are set by their drive. `centre` is the centre of mass in the
+/// drawing frame.
+fn initial<S: Quantity>(
+    name: &str,
+    body: &schema::Body<S>,
+    centre: Vector3<S>,
+    (q, v): (&mut Vec<S>, &mut Vec<S>),
+) -> Result<(), FieldError> {
     let field = |rest: &str| format!("bodies.{name}.joint.{}.{rest}", body.joint.kind());
     let at_rest = |rest: &str, rate: S, free: bool| {
         if free || rate.all(|rate| rate == 0.0) {
@@ -286,7 +292,7 @@ fn initial<S: Quantity>(name: &str, body: &schema::Body<S>, q: &mut Vec<S>, v: &
     match &body.joint {
         schema::Joint::Floating(joint) => {
             let initial = &joint.initial;
-            q.extend(initial.position_m);
+            q.extend(initial_position(name, initial, centre)?.0);
             q.extend(Quaternion::from_roll_pitch_yaw(Vector3(initial.orientation_rad)).0);
             for rate in initial.velocity_m_s {
                 v.push(at_rest("initial.velocity_m_s", rate, !joint.hold_translation)?);
@@ -309,6 +315,21 @@ fn initial<S: Quantity>(name: &str, body: &schema::Body<S>, q: &mut Vec<S>, v: &
         }
     }
     Ok(())
+}
+
+/// Returns the position of the centre of mass of a floating body at the start.
+fn initial_position<S: Quantity>(
+    name: &str,
+    initial: &schema::InitialMotion<S>,
+    centre: Vector3<S>,
+) -> Result<Vector3<S>, FieldError> {
+    let Some(origin) = initial.drawing_frame_m else { return Ok(Vector3(initial.position_m)) };
+    if !initial.position_m.into_iter().all(S::vanishes) {
+        let [x, y, z] = initial.position_m;
+        let field = format!("bodies.{name}.joint.floating.initial.position_m");
+        return Err(FieldError::new(field, format!("[{x}, {y}, {z}]"), "none beside drawing_frame_m"));
+    }
+    Ok(Vector3(origin) + rotation_from_roll_pitch_yaw(Vector3(initial.orientation_rad)) * centre)
 }
 
 /// Returns the inertia about the centre of mass: the given one, otherwise that of the shape.

@@ -1,9 +1,11 @@
 //! Description of a scenario for a view, which draws it and shows its parameters.
 
 mod afloat;
+mod closing_contacts;
 mod facts;
 mod in_water;
 mod operation;
+mod under_water;
 mod units;
 mod warnings;
 
@@ -18,7 +20,7 @@ use crate::scenario::assembly::flexible::{owner, shape};
 use crate::scenario::schema::{self, LIVE_SETTINGS, Parameter, ParameterKind, ParameterValue, Scenario};
 use crate::scenario::writing::ToValue;
 use crate::simulation::{Limit, Setup};
-use crate::spatial::{Twist, Vector3};
+use crate::spatial::{Quaternion, Twist, Vector3};
 use serde::Serialize;
 use serde_json::Value;
 
@@ -106,6 +108,18 @@ pub struct BodyDescription {
     pub shape: Option<schema::Shape>,
     /// Colour, as `#rrggbb`.
     pub colour: Option<schema::Colour>,
+    /// Where it is at the start, if its joint is floating and its drawing frame does not begin at its centre of mass.
+    pub at_start: Option<PlaceAtStart>,
+}
+
+/// The place of a floating body at the start of a run, in the world.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct PlaceAtStart {
+    /// Position of the centre of mass, m.
+    pub centre_of_mass_m: [f64; 3],
+    /// Position of the origin of the drawing frame, m.
+    pub drawing_frame_m: [f64; 3],
 }
 
 /// A joint, with its coordinates.
@@ -216,7 +230,7 @@ impl Scenario {
     pub(super) fn description_of(&self, setup: &Setup) -> Description {
         let (sea, hulls) = (afloat::sea(self, setup), afloat::hulls(self, setup));
         let objects_in_water = in_water::objects(setup);
-        let Setup { model, world, elements, limits, .. } = setup;
+        let Setup { model, world, elements, limits, q, .. } = setup;
         let modes = model.coordinate_names().into_iter().zip(&model.modes);
         let free: Vec<String> =
             modes.filter(|(_, mode)| **mode == crate::model::MotionType::Free).map(|(name, _)| name).collect();
@@ -234,6 +248,7 @@ impl Scenario {
                 inertia_kg_m2: dry_inertia(model, index, node),
                 shape: given.and_then(|given| shape(given, segment)),
                 colour: given.and_then(|given| given.colour.clone()),
+                at_start: given.filter(|_| segment == 0).and_then(|given| place_at_start(given, node, q)),
             }
         };
         let joint = |(joint, body): (&crate::model::Joint, &crate::model::Body)| JointDescription {
@@ -270,9 +285,25 @@ impl Scenario {
             limits: limits.iter().cloned().map(describe_limit).collect(),
             live_settings: LIVE_SETTINGS.into(),
             parameters: self.parameter_values().into_iter().map(describe_parameter).collect(),
-            warnings: warnings::of(self, model, world, elements).into_iter().chain(warnings::at_start(setup)).collect(),
+            warnings: warnings::of(self, model, world, elements)
+                .into_iter()
+                .chain(warnings::at_start(self, setup))
+                .collect(),
         }
     }
+}
+
+/// Returns the place of a floating rigid body whose centre of mass is not at the origin of its drawing frame.
+fn place_at_start(given: &schema::Body, node: &Node, q: &[f64]) -> Option<PlaceAtStart> {
+    let drawn_apart = given.flexible.is_none() && given.centre_of_mass_m != [0.0; 3];
+    if !drawn_apart || !matches!(given.joint, schema::Joint::Floating(_)) {
+        return None;
+    }
+    let [x, y, z, turn @ ..] = q.get(node.positions..node.positions + 7)? else { return None };
+    let centre = Vector3([*x, *y, *z]);
+    let rotation = Quaternion(core::array::from_fn(|k| turn[k])).to_matrix();
+    let origin = centre - rotation * Vector3(given.centre_of_mass_m);
+    Some(PlaceAtStart { centre_of_mass_m: centre.0, drawing_frame_m: origin.0 })
 }
 
 fn describe_part(name: &str, mounting: &schema::Mounting) -> PartDescription {

@@ -1,10 +1,11 @@
 //! Warnings about a model, before it runs.
 
 use crate::elements::hull::Hydrostatics;
+use crate::elements::ropes::assembly::resting_load;
 use crate::elements::{AnyElement, Hull, significant};
 use crate::model::Model;
 use crate::scenario::assembly::wave_motion::other_unit;
-use crate::scenario::describe::units;
+use crate::scenario::describe::{closing_contacts, under_water, units};
 use crate::scenario::schema::{Joint, Scenario};
 use crate::scenario::ties::{carrying, floats_freely, tied_to_the_world};
 use crate::sea::database::Database;
@@ -22,7 +23,7 @@ const MOST_NAMED: usize = 5;
 pub fn of(scenario: &Scenario, model: &Model, world: &World, elements: &[AnyElement]) -> Vec<String> {
     let falling = falls(model, &falling(model, world, elements)).into_iter();
     let of_files = of_databases(scenario, model, world, elements).into_iter().chain(of_raos(scenario, model, world));
-    falling.chain(of_files).chain(units::of(scenario)).collect()
+    falling.chain(of_files).chain(units::of(scenario)).chain(scenario.overwritten.iter().cloned()).collect()
 }
 
 /// Returns a warning for each falling body up to `MOST_NAMED`, and one warning for all others.
@@ -33,10 +34,16 @@ fn falls(model: &Model, falling: &[usize]) -> Vec<String> {
     falling.iter().take(MOST_NAMED).map(of).chain(rest).collect()
 }
 
-/// Warns of effects that elements leave out and that are not small at the start of the run, and of feedback.
-pub fn at_start(setup: &Setup) -> impl Iterator<Item = String> + use<> {
+/// Warns of effects that elements leave out and that are not small at the start of the run, of loads that are not those of
+/// their ropes, of springs under water, of contacts that are too stiff for the step, and of feedback.
+pub fn at_start(scenario: &Scenario, setup: &Setup) -> Vec<String> {
     let mut simulation = Simulation::recursive(setup.clone());
-    simulation.left_out().into_iter().chain(of_feedback(&mut simulation))
+    let mut warnings = simulation.left_out();
+    warnings.extend(resting_load::warnings(setup, &mut simulation));
+    warnings.extend(under_water::warnings(scenario, setup));
+    warnings.extend(closing_contacts::warnings(setup));
+    warnings.extend(of_feedback(&mut simulation));
+    warnings
 }
 
 /// Warns of feedback that makes a mode unstable, by the linear check at the start of the run.

@@ -237,7 +237,7 @@ fn parsed(text: &str, file: &str) -> Result<ScenarioNode, Fault> {
 fn apply(tree: &mut ScenarioNode, given: &[Override<'_>]) -> Result<(), Fault> {
     let as_written: Scenario = reading::read(tree)?;
     let whole = as_written.to_value();
-    parameters::apply(OverrideTarget { tree, whole: &whole }, &as_written.parameters, given)
+    parameters::apply(OverrideTarget { tree, whole: &whole }, &as_written.parameters, given).map(|_| ())
 }
 
 /// Keeps the parameters that are not set, without their defaults: the fields already hold these values.

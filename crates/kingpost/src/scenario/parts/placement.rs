@@ -174,7 +174,14 @@ impl Standing<'_> {
         if self.on() != WORLD {
             put(tree, &["bodies", name, "parent"], &json!(self.on()), &self.place("on"));
         }
-        let at_origin = self.move_point(tree, &format!("{frame}.position_m"));
+        let drawn = format!("{frame}.drawing_frame_m");
+        let is_drawn = kind == "floating" && numbers::<3>(self.whole, &drawn).is_some();
+        let at_origin = if is_drawn {
+            self.move_point(tree, &drawn);
+            false
+        } else {
+            self.move_point(tree, &format!("{frame}.position_m"))
+        };
         let even = self.turn_axes(tree, &format!("{frame}.orientation_rad"));
         Ok((at_origin && even).then_some(frame))
     }

@@ -123,8 +123,12 @@ pub struct FloatingJoint<S = f64> {
 #[fields(default)]
 #[derive(Default)]
 pub struct InitialMotion<S = f64> {
-    /// Position of the centre of mass in the world, m.
+    /// Position of the centre of mass in the world, m. With another centre of mass the whole body stands elsewhere: see
+    /// `drawing_frame_m`.
     pub position_m: [S; 3],
+    /// Position of the origin of the body's drawing frame in the world, m, instead of `position_m`: the body stays where it
+    /// is drawn when its centre of mass changes.
+    pub drawing_frame_m: Option<[S; 3]>,
     /// Roll, pitch, yaw (intrinsic z-y-x angles), rad.
     pub orientation_rad: [S; 3],
     /// Velocity of the centre of mass in the world, m/s.

@@ -166,6 +166,10 @@ pub struct Scenario<S = f64> {
     /// Limits on columns of the results, by name.
     #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
     pub limits: IndexMap<Name, Limit>,
+    /// Warnings of fields of the file that the default of a parameter has replaced.
+    #[serde(skip)]
+    #[cfg_attr(feature = "schema", schemars(skip))]
+    pub overwritten: Vec<String>,
     /// The contents of the files that it names, once read.
     #[serde(skip)]
     #[cfg_attr(feature = "schema", schemars(skip))]

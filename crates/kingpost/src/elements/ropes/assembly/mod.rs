@@ -2,6 +2,7 @@
 
 pub(crate) mod at_start;
 pub(crate) mod load_chart;
+pub(crate) mod resting_load;
 
 use crate::elements::ropes::{Drum, Efficiency, Inextensible, Layers, RopePath, RopeWeight, Round, Station};
 use crate::elements::{AnyElement, Rope, TuggerLine};
@@ -9,7 +10,7 @@ use crate::model::{Attachment, Model};
 use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::assembly::attachments::attachment;
 use crate::scenario::assembly::hinges::hinge;
-use crate::scenario::assembly::{FieldError, flexible, known};
+use crate::scenario::assembly::{FieldError, known};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema::{self, PaysOut, RopePoint, RopeStation, Scenario};
 use crate::scenario::wording::NOTHING;
@@ -39,7 +40,7 @@ fn build<S: Quantity>(
     check_begins_released(name, given)?;
     let Laid { stations, drum } = lay(scenario, &format!("forces.{name}.rope"), &given.path, model)?;
     let weight = weight(&format!("forces.{name}.rope"), given)?;
-    let carried_mass = carried_mass(scenario, &format!("forces.{name}.rope"), given, model)?;
+    let carries = resting_load::build(scenario, &format!("forces.{name}.rope"), given, model)?;
     let load_chart =
         given.load_chart.as_ref().map(|chart| load_chart::build(scenario, name, chart, model)).transpose()?;
     let (Some(stations), true) = (stations, given.enabled) else { return Ok(None) };
@@ -59,7 +60,7 @@ fn build<S: Quantity>(
         series_compliance: given.series_stiffness_n_per_m.map_or(S::ZERO, |stiffness| S::ONE / stiffness.get()),
         damping_time: given.damping_time_s.get(),
         breaking_load: given.breaking_load_n.map(|load| load.get()),
-        carried_mass,
+        carries,
         load_chart,
         weight,
         can_be_released: given.can_be_released,
@@ -121,27 +122,6 @@ fn weight<S: Quantity>(of: &str, given: &schema::Rope<S>) -> Result<Option<RopeW
             .as_ref()
             .map(|mass| RopeWeight { mass_per_length: mass.get(), diameter: diameter.unwrap_or(S::ZERO) })),
     }
-}
-
-/// Returns the mass whose weight equals the rope's tension at rest in air; `None` if none of the carried bodies exists.
-fn carried_mass<S: Quantity>(
-    scenario: &Scenario<S>,
-    field: &str,
-    given: &schema::Rope<S>,
-    model: &Model<S>,
-) -> Result<Option<S>, FieldError> {
-    let falls =
-        given.path.last().map_or(1, |station| if let RopeStation::Point(end) = station { end.falls } else { 1 });
-    let mut sum: Option<S> = None;
-    for (i, carried) in given.carries.iter().enumerate() {
-        known(&format!("{field}.carries.{i}.body"), &carried.body, scenario.bodies.keys().map(|body| body.as_str()))?;
-        let share = carried.share.map_or(S::constant(1.0 / f64::from(falls)), |share| share.get());
-        // A flexible body consists of several bodies of the model.
-        for body in model.bodies.iter().filter(|body| flexible::owner(&body.name).0 == &*carried.body) {
-            sum = Some(sum.unwrap_or(S::ZERO) + body.mass * share);
-        }
-    }
-    Ok(sum)
 }
 
 impl<S: Quantity> Assemble<S> for schema::TuggerLine<S> {
