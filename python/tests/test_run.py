@@ -82,7 +82,8 @@ def test_every_variable_has_a_unit_a_name_and_a_frame(calibration):
             continue
         assert set(variable.attrs) >= {"long_name", "description", "frame", "column"}, name
         assert ("units" in variable.attrs) != (f"{name}_unit" in calibration.coords), name
-        assert variable.attrs["frame"] in ("world", "body", "joint", "loop", "surface", "slow_frame", "heading", "none")
+        frames = ("world", "body", "joint", "loop", "surface", "slow_frame", "heading", "none")
+        assert variable.attrs["frame"] in frames
     assert calibration["angular_velocity"].attrs["units"] == "rad/s"
     assert calibration["angular_velocity"].attrs["frame"] == "body"
 

@@ -109,3 +109,19 @@ def test_the_hinge_lets_go_in_waves_and_energy_is_kept(seed: int) -> None:
     assert np.abs(both_kn / WEIGHT_KN - 1)[held].max() < 0.02
     # rk4: 0.2 rad of the bounce on the hook in a step leave 2e-6 (measured).
     assert np.abs(columns["energy_error"]).max() < 5e-6 * np.abs(columns["energy_scale"]).max()
+
+
+def test_derivatives_of_the_equilibrium_on_hinge_and_hook_are_those_of_differences() -> None:
+    """Source: central differences over 1 mm, whose rounding leaves 1e-8 of the largest (measured)."""
+    where = "loops.hinge.second.position_m.2"
+    short = {"simulation.duration_s": 0.2, "simulation.record_every_s": 0.2}
+
+    def at(by_m: float) -> dict[str, Any]:
+        return short | {where: -30 + by_m}
+
+    found = kingpost.gradient(kingpost.load(FILE, at(0)), [where])
+    ahead, behind = (kingpost.run(FILE, at(by_m)) for by_m in (1e-3, -1e-3))
+    for name in ("rope_tension", "connection_reaction", "position", "pitch"):
+        differences = (ahead[name].values[-1] - behind[name].values[-1]) / 2e-3
+        exact = found[f"{name}_derivative"].values[0][-1]
+        assert np.abs(exact - differences).max() < 1e-7 * np.abs(differences).max(), name
