@@ -8,13 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .. import output
 from ..errors import KingpostError
 from ..lettering import as_written
 from ..results.entries import scenario_of
 from ..results.operation_steps import COLUMN, rows_of_step, step_names
 from ..results.units import engineering
-from .plot import ENDINGS
+from .plot import write_figure
 from .selection import of_time
 
 if TYPE_CHECKING:
@@ -48,10 +47,7 @@ def write_load_chart(run: xarray.Dataset, path: str | Path, hoists: Sequence[str
     KingpostError
         If the ending is another, the file cannot be written, or there is no such chart.
     """
-    path = output.check(path, ENDINGS)
-    with output.whole(path) as beside:
-        load_chart_figure(run, hoists).savefig(beside, dpi=120)
-    return path
+    return write_figure(path, lambda: load_chart_figure(run, hoists))
 
 
 def load_chart_figure(run: xarray.Dataset, hoists: Sequence[str] = ()) -> Figure:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -44,9 +44,15 @@ def write(
     ...     write(kingpost.run("paper", {"simulation.duration_s": 0.1}), f"{folder}/paper.png").name
     'paper.png'
     """
+    return write_figure(path, lambda: figure(runs, patterns))
+
+
+def write_figure(path: str | Path, draw: Callable[[], Figure]) -> Path:
+    """Write a figure as a picture, and return its path; an ending that is none of a picture is refused before
+    it is drawn."""
     path = output.check(path, ENDINGS)
     with output.whole(path) as beside:
-        figure(runs, patterns).savefig(beside, dpi=120)
+        draw().savefig(beside, dpi=120)
     return path
 
 

@@ -8,12 +8,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .. import output
 from ..analysis.range_graphs import lines_with_points, range_graph
 from ..errors import KingpostError
 from ..lettering import as_written
 from ..results.units import engineering
-from .plot import ENDINGS, PANEL_HEIGHT_IN, WIDTH_IN
+from .plot import PANEL_HEIGHT_IN, WIDTH_IN, write_figure
 from .statistics import start_s
 
 if TYPE_CHECKING:
@@ -36,10 +35,7 @@ def write_range_graph(
     KingpostError
         If the ending is another, the file cannot be written, or there is no such line.
     """
-    path = output.check(path, ENDINGS)
-    with output.whole(path) as beside:
-        range_graph_figure(runs, lines, after_s).savefig(beside, dpi=120)
-    return path
+    return write_figure(path, lambda: range_graph_figure(runs, lines, after_s))
 
 
 def range_graph_figure(

@@ -141,7 +141,8 @@ export class TimeChart implements Chart {
     for (const { bounds, colour, shown } of content.lines) {
       const scale = scaleOf(shown.unit);
       const { min, max } = u.scales[scale];
-      for (const { name, value, from_s, until_s } of bounds.filter((bound) => bound.value >= min! && bound.value <= max!)) {
+      const isShown = ({ value, until_s }: (typeof bounds)[number]) => value >= min! && value <= max! && until_s >= content.range_s[0];
+      for (const { name, value, from_s, until_s } of bounds.filter(isShown)) {
         stroke(u, [[Math.max(from_s, content.range_s[0]), value], [Math.min(end_s, until_s), value]], scale, { colour: style.colour(colour), width: 1.5, dash: [6, 4] });
         const place: [number, number] = [u.bbox.left + u.bbox.width - 4 * devicePixelRatio, u.valToPos(value, scale, true) - 2 * devicePixelRatio];
         word(u, name, place, String(style.axis.font), style.colour("ink"), "right");

@@ -198,11 +198,10 @@ def _kept(file: StudyFile, known: dict[str, str], simulation: Simulation, of_par
 
 
 def _bounds(file: StudyFile, simulation: Simulation, names: Sequence[str], limit: LimitBounds) -> Bounds:
-    scenario = simulation.scenario
-    known = next(one for one in scenario.model["limits"] if one["name"] == limit.name)
+    known = next(one for one in simulation.scenario.model["limits"] if one["name"] == limit.name)
     until_s = inf if known["until_s"] is None else float(known["until_s"])
     steps = tuple(int(step) for step in known["steps"])
-    from_s = max(scenario.resolved["limits"][limit.name]["from_s"], file.content["after_s"])
+    from_s = max(float(known["from_s"]), file.content["after_s"])
     least = -inf if limit.at_least is None else limit.at_least
     most = inf if limit.at_most is None else limit.at_most
     unit_si = float(known["unit_si"])
