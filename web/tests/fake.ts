@@ -97,6 +97,8 @@ export class FakeEngine implements Engine {
       joints: [{ name: "ship", body: "ship", kind: "floating", free_coordinates: [], prescribed: [] }],
       elements: [],
       loops: [],
+      connections: [],
+      steps: [],
       gravity_m_s2: 9.81,
       sea: null,
       hulls: [],

@@ -22,6 +22,8 @@ const MODEL: ModelInfo = {
   ],
   joints: [],
   elements: [],
+  connections: [],
+  steps: [],
   loops: [
     {
       name: "pin",

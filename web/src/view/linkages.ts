@@ -26,7 +26,7 @@ export class Linkages {
     palette: Palette,
   ) {
     this.names = model.bodies.map((body) => body.name);
-    for (const loop of model.loops) {
+    for (const loop of [...model.loops, ...model.connections]) {
       const radius = PIN * Math.min(this.thicknessAt(loop.first), this.thicknessAt(loop.second));
       const ends = [loop.first, loop.second].map((point) => this.pin(point, radius, palette.pin));
       if (loop.constraints.includes("distance")) this.join(ends, spanning(0.3 * radius, palette.pin));
