@@ -48,8 +48,8 @@ def write(
 
 
 def write_figure(path: str | Path, draw: Callable[[], Figure]) -> Path:
-    """Write a figure as a picture, and return its path; an ending that is none of a picture is refused before
-    it is drawn."""
+    """Write a figure as a picture, and return its path; an ending that is not allowed is refused before it is
+    drawn."""
     path = output.check(path, ENDINGS)
     with output.whole(path) as beside:
         draw().savefig(beside, dpi=120)

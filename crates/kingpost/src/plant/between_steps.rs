@@ -51,8 +51,8 @@ impl<S: Scalar> Plant<S> {
             let changed = core::mem::replace(&mut state.m, modes);
             let before = self.totals(instant(time_s, state));
             state.m = changed;
-            self.take_hold(time_s, state);
-            self.book_jump(&before, time_s, state);
+            let heat = self.take_hold(time_s, state);
+            self.book_jump(&before, heat, time_s, state);
         }
     }
 
@@ -178,19 +178,21 @@ impl<S: Scalar> Plant<S> {
         self.change(watched.element, time_s, state, |element, at, own, v| {
             element.handle_event(watched.event, at, own, v);
         });
-        self.take_hold(time_s, state);
-        self.book_jump(&before, time_s, state);
+        let heat = self.take_hold(time_s, state);
+        self.book_jump(&before, heat, time_s, state);
     }
 
-    /// Enters a sudden change in the ledger: a loss of energy as heat, a gain of energy and any change of
-    /// momentum as work and impulse from outside.
-    pub fn book_jump(&mut self, before: &Totals<S>, time_s: f64, state: &mut State<S>) {
+    /// Enters a sudden change in the ledger, with the heat of an impact, J: a further loss of energy as heat, a gain of
+    /// energy and any change of momentum as work and impulse from outside.
+    pub fn book_jump(&mut self, before: &Totals<S>, heat: S, time_s: f64, state: &mut State<S>) {
         if self.layout.ledger == 0 {
             return;
         }
         let after = self.totals(instant(time_s, state));
-        let gained = after.kinetic_energy + after.potential_energy - before.kinetic_energy - before.potential_energy;
+        let gained =
+            after.kinetic_energy + after.potential_energy - before.kinetic_energy - before.potential_energy + heat;
         let s = &mut state.s;
+        s[ledger::ENERGY_DISSIPATED] += heat;
         s[ledger::WORK_BY_OUTSIDE] += gained.select_below(0.0, || S::ZERO, || gained);
         s[ledger::ENERGY_DISSIPATED] += gained.select_below(0.0, || -gained, || S::ZERO);
         let mut add = |first: usize, jump: Vector3<S>| {

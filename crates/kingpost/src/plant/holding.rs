@@ -73,28 +73,31 @@ impl<S: Scalar> Plant<S> {
     }
 
     /// Updates the constraints after modes changed at a time: elements that have begun to hold cause an impact, and one-sided
-    /// ones with a negative force release.
-    pub(super) fn take_hold(&mut self, time_s: f64, state: &mut State<S>) {
+    /// ones with a negative force release. Returns the heat of the impact, J.
+    pub(super) fn take_hold(&mut self, time_s: f64, state: &mut State<S>) -> S {
         if self.layout.holding.is_empty() {
-            return;
+            return S::ZERO;
         }
         // The loads are evaluated with the added mass, because an impact moves it too.
         self.evaluate_loads(instant(time_s, state));
         if !self.holds() {
             self.hand_out_multipliers();
-            return;
+            return S::ZERO;
         }
         self.loops.forget_pivots();
-        loop {
+        let heat = loop {
             let mut struck = state.v.clone();
-            let impulses = self.project(|solver, on| solver.strike(on, &state.q, &mut struck).to_vec());
+            let (impulses, heat) = self.project(|solver, on| {
+                let (impulses, heat) = solver.strike(on, &state.q, &mut struck);
+                (impulses.to_vec(), heat)
+            });
             if !self.let_go_of_least(&impulses, state) {
                 state.v = struck;
                 self.hand_out_impulses(&impulses, state);
-                break;
+                break heat;
             }
             self.evaluate_loads(instant(time_s, state));
-        }
+        };
         loop {
             let mut v_dot = vec![S::ZERO; state.v.len()];
             self.acceleration(instant(time_s, state), None, &mut v_dot);
@@ -104,6 +107,7 @@ impl<S: Scalar> Plant<S> {
             }
         }
         self.loops.forget_pivots();
+        heat
     }
 
     /// Passes to the elements the impulses of their constraints in an impact.

@@ -51,7 +51,7 @@ impl Simulation {
         let interval = next.interval();
         next.plant.prescribe(interval, &mut next.state.v);
         next.plant.renew(time_s, &mut next.state);
-        next.plant.book_jump(&before, time_s, &mut next.state);
+        next.plant.book_jump(&before, 0.0, time_s, &mut next.state);
         next.last_good.copy_from(&next.state);
         next.plant.evaluations = self.plant.evaluations;
         core::mem::swap(&mut next.watch, &mut self.watch);

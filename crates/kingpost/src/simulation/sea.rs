@@ -46,7 +46,7 @@ impl Simulation {
         }
         let before = self.plant.totals(stage(self.interval(), &self.state));
         self.plant.set_waves(amplitudes_m, phases_rad);
-        self.plant.book_jump(&before, self.time_s(), &mut self.state);
+        self.plant.book_jump(&before, 0.0, self.time_s(), &mut self.state);
         self.state.memory.fill(0.0);
         Ok(())
     }

@@ -325,6 +325,80 @@ forces:
 }
 
 #[test]
+fn a_connection_whose_constraint_moves_nothing_ends_the_run_with_its_name() {
+    for (axis, constraint) in [([1, 2, 3], "x"), ([0, 0, 1], "z"), ([0, 0, 1], "roll")] {
+        let text = format!(
+            "version: 1
+title: A lock that holds nothing
+simulation: {{step_s: 0.01, duration_s: 4}}
+bodies:
+  arm:
+    mass_kg: 100
+    centre_of_mass_m: [1.3, 0.2, 0.4]
+    inertia: {{tensor: {{moments_kg_m2: [50, 50, 50]}}}}
+    joint: {{revolute: {{name: slew, axis: {axis:?}, initial_rate_rad_s: 0.8}}}}
+loops:
+  lock:
+    first: {{body: world}}
+    second: {{body: arm, position_m: [1, 0.3, 0.7]}}
+    constraints: [{constraint}]
+    connection: {{begins_released: true, engages: where_it_is}}
+"
+        );
+        let mut found = simulation(&text);
+        found.step(50).expect("it turns");
+        found.set_input("lock", 0.0).expect("a lever");
+        let error = found.step(10).expect_err("nothing to hold").to_string();
+        assert!(error.contains(&format!("constraint {constraint} of loop lock")), "{error}");
+        // Engaged at the start, it is refused before the run.
+        let refused = read(&text.replace("begins_released: true, ", ""), "test.yaml", &[]).expect_err("it is refused");
+        assert!(refused.to_string().contains("loops.lock.constraints.0"), "{refused}");
+    }
+}
+
+#[test]
+fn a_state_that_is_set_keeps_a_connection_where_it_engaged() {
+    let mut found = simulation(&catch(ALL, "{begins_released: true, engages: where_it_is}"));
+    found.step(50).expect("it is one");
+    let (q, v) = (found.state().q.clone(), found.state().v.clone());
+    found.set_state(&q, &v, None).expect("its own state");
+    let energy = values(&mut found, "kinetic_energy")[0];
+    found.step(100).expect("it is one");
+    // rk4: 0.02 rad to the fifth power in each of 100 steps.
+    let left = values(&mut found, "kinetic_energy")[0] / energy - 1.0;
+    assert!(left.abs() < 3e-7, "{left}");
+    assert!(values(&mut found, "energy_error")[0].abs() < 3e-7 * energy);
+}
+
+#[test]
+fn an_impact_on_a_prescribed_motion_books_heat_and_work_of_its_drive() {
+    // A trolley of 100 kg at 3 m/s takes a block of 300 kg along: the drive works twice what becomes heat.
+    let text = "version: 1
+title: A trolley takes a block along
+simulation: {step_s: 0.01, duration_s: 1}
+bodies:
+  trolley:
+    mass_kg: 100
+    shape: {point: {}}
+    joint: {prismatic: {name: trolley, axis: [1, 0, 0], mode: {prescribed: {speed_m_s: 3}}}}
+  block: {mass_kg: 300, shape: {point: {}}, joint: {prismatic: {name: block, axis: [1, 0, 0]}}}
+loops:
+  grip:
+    first: {body: trolley}
+    second: {body: block}
+    constraints: [x]
+    connection: {begins_released: true, engages: where_it_is}
+";
+    let mut found = simulation(text);
+    found.step(10).expect("it moves");
+    found.set_input("grip", 0.0).expect("a lever");
+    assert!((values(&mut found, "connection_impulse")[0] - 900.0).abs() < 1e-9);
+    assert!((values(&mut found, "energy_dissipated")[0] - 1350.0).abs() < 1e-9);
+    found.step(10).expect("they move");
+    assert!(values(&mut found, "energy_error")[0].abs() < 1e-9);
+}
+
+#[test]
 fn what_cannot_be_released_or_engaged_is_refused_at_its_place() {
     let refused = |text: &str| read(text, "test.yaml", &[]).expect_err("it is refused").to_string();
     let fixed = refused(&trapdoor("step_s: 0.005, duration_s: 2", LETS_GO).replace("    connection: {}\n", ""));
@@ -334,6 +408,11 @@ fn what_cannot_be_released_or_engaged_is_refused_at_its_place() {
     assert!(rod.contains("loops.hinge.constraints.0: found distance, in a loop with connection"), "{rod}");
     let twice = trapdoor("step_s: 0.005, duration_s: 2", "").replace("x, y", "x, x");
     assert!(refused(&twice).contains("loops.hinge.constraints.1"), "{twice}");
+    let shared = "  hinge:
+    rope: {path: [{point: {body: world}}, {point: {body: bar}}], axial_stiffness_kN: 1000, can_be_released: true}
+";
+    let shared = refused(&trapdoor("step_s: 0.005, duration_s: 2", shared));
+    assert!(shared.contains("loops.hinge: found hinge, the name of another input"), "{shared}");
     let far = refused(&trapdoor("step_s: 0.005, duration_s: 2", "").replace("[-2, 0, 0]", "[-3, 0, 0]"));
     assert!(far.contains("loops.hinge: found a gap at the start of"), "{far}");
 }

@@ -1,9 +1,10 @@
 //! A constraint in the solver, of a loop or of an element: a column of J^T.
 
 use super::Row;
+use crate::dynamics::ball::Ball;
 use crate::dynamics::forward::Response;
 use crate::dynamics::{LinkKinematics, TemporaryConstraint};
-use crate::model::Model;
+use crate::model::{LinkJoint, Model, MotionType};
 use crate::scalar::Scalar;
 use crate::spatial::{Twist, Wrench};
 
@@ -56,6 +57,39 @@ impl<S: Scalar> ConstraintColumn<S> {
         self.times(of_links, rates) + self.bias_acceleration
     }
 
+    /// Returns the length of the row of J over the free coordinates, relative to that of its loads: zero if no coordinate
+    /// changes phi.
+    pub fn motion(&self, model: &Model<S>, links: &LinkKinematics<S>) -> S {
+        let of_links = self.on.iter().fold(S::ZERO, |sum, (_, wrench)| sum + size(wrench));
+        let whole = self.along.iter().fold(of_links, |sum, (_, load)| sum + *load * *load);
+        let mut squares = S::ZERO;
+        for (i, plan) in model.plan.iter().enumerate() {
+            let carried = self.on.iter().filter(|(link, _)| is_on_the_way(model, i, *link));
+            let wrench = carried.fold(Wrench::zero(), |sum, (_, wrench)| sum + *wrench);
+            let along = |coordinate: usize| {
+                let own = self.along.iter().filter(|(at, _)| *at == coordinate);
+                own.fold(S::ZERO, |sum, (_, load)| sum + *load)
+            };
+            squares += match plan.joint {
+                LinkJoint::Floating => {
+                    let free = |held: bool| if held { S::ZERO } else { S::ONE };
+                    wrench.force.norm_squared() * free(plan.floating.hold_translation)
+                        + wrench.moment.norm_squared() * free(plan.floating.hold_rotation)
+                }
+                LinkJoint::Spherical if plan.mode == MotionType::Free => {
+                    let axes = Ball::new(plan, links.in_root(i)).axes();
+                    axes.iter().fold(S::ZERO, |sum, axis| sum + wrench.dot(axis) * wrench.dot(axis))
+                }
+                _ if plan.mode == MotionType::Free => {
+                    let load = wrench.dot(links.axis(i)) + along(plan.velocities);
+                    load * load
+                }
+                _ => S::ZERO,
+            };
+        }
+        (squares / whole).sqrt()
+    }
+
     /// Applies the load times `multiplier` to the links.
     pub fn press(&self, multiplier: S, response: &mut Response<S>) {
         for (link, wrench) in &self.on {
@@ -65,4 +99,21 @@ impl<S: Scalar> ConstraintColumn<S> {
             response.add_along(*coordinate, *load * multiplier);
         }
     }
+}
+
+/// Returns the square of the length of a wrench, by the sizes of its entries.
+fn size<S: Scalar>(wrench: &Wrench<S>) -> S {
+    wrench.force.norm_squared() + wrench.moment.norm_squared()
+}
+
+/// Returns whether a link is an ancestor of another link, or the same link.
+fn is_on_the_way<S>(model: &Model<S>, link: usize, from: usize) -> bool {
+    let mut next = Some(from);
+    while let Some(at) = next.filter(|at| *at >= link) {
+        if at == link {
+            return true;
+        }
+        next = model.plan[at].parent();
+    }
+    false
 }

@@ -188,13 +188,11 @@ impl<S: Scalar> LoopSolver<S> {
                 self.factor.set(j, k, other.times(|link| *response.acceleration(link), response.rates()));
             }
         }
-        if core::mem::take(&mut self.begins) {
-            for (k, row) in self.rows.iter().enumerate() {
-                self.factor.take_reference(k, row.motion(model, links));
-            }
+        // A restraint is temporary: its own diagonal is its reference.
+        let first = if core::mem::take(&mut self.begins) { 0 } else { self.rows.len() };
+        for (k, column) in columns.iter().enumerate().skip(first) {
+            self.factor.take_reference(k, column.motion(model, links));
         }
-        // A restraint is temporary, so its reference is set when it becomes active.
-        (self.rows.len()..self.count).for_each(|k| self.factor.take_reference(k, S::ONE));
         self.factor.factor();
         for (lowest, pivot) in self.lowest[1].iter_mut().zip(self.factor.pivots()) {
             *lowest = pivot.select_less(*lowest, || *pivot, || *lowest);

@@ -171,12 +171,14 @@ impl<S: Scalar> LoopSolver<S> {
         self.correct_positions(on, q, v, NEVER);
     }
 
-    /// Removes the opening velocity of all constraints, as an impact does; returns the impulses of the active
-    /// restraints, N s.
-    pub fn strike(&mut self, on: &mut Projection<'_, S>, q: &[S], v: &mut [S]) -> &[S] {
+    /// Removes the opening velocity of all constraints, as an impact does; returns the impulses p of the active restraints,
+    /// N s or N m s, and the heat -p . phi' / 2, J.
+    pub fn strike(&mut self, on: &mut Projection<'_, S>, q: &[S], v: &mut [S]) -> (&[S], S) {
         self.look(on, q, v);
         self.correct_velocities(on, v);
-        self.of_restraints()
+        let both = self.multipliers().iter().zip(self.acting());
+        let heat = both.fold(S::ZERO, |sum, (impulse, column)| sum - *impulse * column.rate * S::constant(0.5));
+        (self.of_restraints(), heat)
     }
 
     /// Corrects the velocities: the equations are linear, so one correction is enough.

@@ -10,9 +10,8 @@
 //!
 //! (Featherstone 2008, section 2.9 for the derivatives of twists and wrenches, ch. 8 for loops).
 
-use crate::dynamics::ball::Ball;
 use crate::dynamics::{LinkKinematics, TemporaryConstraint};
-use crate::model::{Attachment, Constraint, LinkJoint, Model, MotionType};
+use crate::model::{Attachment, Constraint, Model};
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Twist, Vector3, Wrench};
 
@@ -55,49 +54,6 @@ impl<S: Scalar> Row<S> {
     pub fn at_second(&self) -> Wrench<S> {
         Wrench { moment: self.wrench.moment - self.way.cross(self.wrench.force), ..self.wrench }
     }
-
-    /// Returns the length of the row of J over the free coordinates, relative to that of its wrench: zero if
-    /// no coordinate moves one body relative to the other.
-    pub fn motion(&self, model: &Model<S>, links: &LinkKinematics<S>) -> S {
-        let size = |wrench: &Wrench<S>| wrench.force.norm_squared() + wrench.moment.norm_squared();
-        let mut squares = S::ZERO;
-        for (i, plan) in model.plan.iter().enumerate() {
-            let carries = |end: Option<usize>| end.is_some_and(|end| is_on_the_way(model, i, end));
-            let mut wrench = Wrench::zero();
-            if carries(self.first) {
-                wrench += self.on_first;
-            }
-            if carries(self.second) {
-                wrench += self.on_second;
-            }
-            squares += match plan.joint {
-                LinkJoint::Floating => {
-                    let free = |held: bool| if held { S::ZERO } else { S::ONE };
-                    wrench.force.norm_squared() * free(plan.floating.hold_translation)
-                        + wrench.moment.norm_squared() * free(plan.floating.hold_rotation)
-                }
-                LinkJoint::Spherical if plan.mode == MotionType::Free => {
-                    let axes = Ball::new(plan, links.in_root(i)).axes();
-                    axes.iter().fold(S::ZERO, |sum, axis| sum + wrench.dot(axis) * wrench.dot(axis))
-                }
-                _ if plan.mode == MotionType::Free => wrench.dot(links.axis(i)) * wrench.dot(links.axis(i)),
-                _ => S::ZERO,
-            };
-        }
-        (squares / (size(&self.on_first) + size(&self.on_second))).sqrt()
-    }
-}
-
-/// Returns whether a link is an ancestor of another link, or the same link.
-fn is_on_the_way<S>(model: &Model<S>, link: usize, from: usize) -> bool {
-    let mut next = Some(from);
-    while let Some(at) = next.filter(|at| *at >= link) {
-        if at == link {
-            return true;
-        }
-        next = model.plan[at].parent();
-    }
-    false
 }
 
 /// Writes the rows of all loops.

@@ -3,10 +3,10 @@
 use super::fields::Engagement;
 use super::{Connection, PoseTolerance};
 use crate::dynamics::LinkKinematics;
-use crate::elements::{AnyElement, of_kind_mut};
-use crate::model::Model;
+use crate::elements::{AnyElement, Layout, of_kind, of_kind_mut};
+use crate::model::{Constraint, Loop, Model};
 use crate::scenario::assembly::FieldError;
-use crate::scenario::assembly::loops::{Ends, constraints, ends};
+use crate::scenario::assembly::loops::{Ends, constraints, ends, rest_in_loops};
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema::{self, Scenario};
 use crate::simulation::Setup;
@@ -30,12 +30,40 @@ pub(crate) fn build<S: Quantity>(scenario: &Scenario<S>, model: &Model<S>) -> Re
     Ok(elements)
 }
 
-/// Takes the positions at the start of a run as those at which connections that engage where they are hold.
-pub(crate) fn begin<S: Quantity>(setup: &mut Setup<S>) {
+/// Takes the positions at the start of a run as those at which connections that engage where they are hold, and removes the
+/// velocities with which they would open.
+///
+/// # Errors
+/// A constraint that depends on others or that no coordinate affects.
+pub(crate) fn begin<S: Quantity>(setup: &mut Setup<S>) -> Result<(), FieldError> {
     let Setup { model, elements, q, v, .. } = setup;
     let mut links = LinkKinematics::new(model);
     links.update(model, q, v);
     of_kind_mut::<S, Connection<S>>(elements).for_each(|connection| connection.take_start(model, &links));
+    let held = |connection: &Connection<S>| {
+        let [first, second] = connection.held_at_start()?;
+        let named = |(name, constraint): &(&str, Constraint<S>)| ((*name).to_owned(), *constraint);
+        let constraints = connection.constraints.iter().map(named).collect();
+        Some(Loop { name: connection.name.clone(), first, second, constraints })
+    };
+    let held: Vec<Loop<S>> = of_kind(elements).filter_map(held).collect();
+    if held.is_empty() {
+        return Ok(());
+    }
+    let all = model.loops.iter().cloned().chain(held).collect();
+    rest_in_loops(&model.clone().with_loops(all), q, v)
+}
+
+/// Checks that no other element has an input with the name of a connection.
+///
+/// # Errors
+/// A name that two inputs have.
+pub(crate) fn check_inputs<S: Quantity>(elements: &[AnyElement<S>]) -> Result<(), FieldError> {
+    let inputs = Layout::new(elements, 0).inputs;
+    let twice = |connection: &&Connection<S>| inputs.iter().filter(|input| input.name == connection.name).count() > 1;
+    let Some(Connection { name, .. }) = of_kind(elements).find(twice) else { return Ok(()) };
+    let found = format!("{name}, the name of another input");
+    Err(FieldError::new(format!("loops.{name}"), found, "a name that no force, drive or controller with an input has"))
 }
 
 fn tolerance<S: Quantity>(given: &Engagement<S>) -> Option<PoseTolerance<S>> {

@@ -19,7 +19,7 @@ pub struct Misfit<S = f64> {
     /// Length of its offset along the constrained axes, m.
     pub distance: S,
     /// Angle about the constrained axes, from 0 to pi, rad: of the whole rotation if all three are constrained, and of the axis
-    /// of a hinge if two are. With one constraint it is that of the sine, up to pi / 2.
+    /// of a hinge if two are.
     pub angle: S,
 }
 
@@ -55,7 +55,7 @@ fn angle<S: Scalar>(pose: &Frame<S>, turns: &[(usize, usize)]) -> S {
         [] => S::ZERO,
         [(first, second)] => {
             let sine = axes[second][first];
-            let cosine = length(S::ONE - sine * sine);
+            let cosine = (axes[first][first] + axes[second][second]) * half;
             sine.select_below(0.0, || -sine, || sine).atan2(cosine)
         }
         // The axis of the hinge is the second one of both.
@@ -100,6 +100,7 @@ mod tests {
             ([0.0, 0.9, 0.0], vec![0], vec![Roll, Yaw], 3.0, 0.0),
             ([2.0, 0.0, 0.0], vec![], vec![Roll, Yaw], 0.0, 2.0),
             ([0.0, 0.0, -0.2], vec![2], vec![Yaw], 12.0, 0.2),
+            ([0.0, 0.0, 3.0], vec![2], vec![Yaw], 12.0, 3.0),
         ] {
             let found = misfit(rotation, &offsets, &turns);
             assert!((found.distance - distance).abs() < 1e-14 && (found.angle - angle).abs() < 1e-14, "{found:?}");

@@ -8,8 +8,8 @@ pub use misfit::{Misfit, PoseTolerance};
 
 use crate::dynamics::{LinkKinematics, TemporaryConstraint, loops};
 use crate::elements::{
-    Components, Context, Crossing, Declaration, Element, ElementState, Event, Holding, Input, Output, PresentSupport,
-    Support, VectorFrame,
+    Components, Context, Crossing, Declaration, Element, ElementState, EvaluationMode, Event, Holding, Input, Output,
+    PresentSupport, Support, VectorFrame,
 };
 use crate::model::{Attachment, Constraint, Model};
 use crate::scalar::Scalar;
@@ -61,6 +61,9 @@ const WAITS: i64 = 2;
 /// Position of the lever at which it is released.
 const RELEASES: f64 = 0.5;
 
+/// Misfit with which it still holds as at the start, m and rad: that of the loops of a state from outside, with six digits.
+const AS_BUILT: f64 = 1e-6;
+
 const EVENTS: [Event; 3] = [
     Event { code: "engages", what: "engages", crossing: Crossing::Falling },
     Event { code: "released", what: "is released", crossing: Crossing::Rising },
@@ -93,6 +96,11 @@ impl<S: Scalar> Connection<S> {
             reaction: Wrench::zero(),
         };
         Self { name: name.to_owned(), ends, constraints, tolerance, begins_released, at_start: ends[1], held }
+    }
+
+    /// Returns its ends as it holds at the start of a run; `None` if it begins released.
+    pub fn held_at_start(&self) -> Option<[Attachment<S>; 2]> {
+        (!self.begins_released).then_some([self.ends[0], self.at_start])
     }
 
     /// Takes the positions at the start of a run as those at which it holds, if it begins engaged where it is.
@@ -186,8 +194,12 @@ impl<S: Scalar> Element<S> for Connection<S> {
     }
 
     fn begin(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
-        own.modes[0] = RELEASED;
-        Self::engage(&self.at_start.in_body, own);
+        // A state that is set during a run may be another one than that of the start; the search for an equilibrium is not.
+        let pose = loops::relative_pose(at.model, at.links, [&self.ends[0], &self.at_start]);
+        let Misfit { distance, angle } = Misfit::new(&pose, &self.held.constraints);
+        let is_as_built = at.evaluation == EvaluationMode::Settling
+            || [distance, angle].iter().all(|off| off.all(|off| off < AS_BUILT));
+        Self::engage(&if is_as_built { self.at_start } else { self.here(at.model, at.links) }.in_body, own);
         if self.begins_released || Self::is_let_go(at) {
             own.modes[0] = RELEASED;
             self.renew(at, own);
@@ -255,8 +267,9 @@ impl<S: Scalar> Element<S> for Connection<S> {
 }
 
 impl<S: Scalar> Holding<S> for Connection<S> {
+    /// Without modes, as it begins.
     fn holds(&self, modes: &[i64]) -> bool {
-        modes.first() == Some(&ENGAGED)
+        modes.first().map_or(!self.begins_released, |mode| *mode == ENGAGED)
     }
 
     fn restrain(&mut self, at: &Context<'_, S>, held: &mut [TemporaryConstraint<S>]) {

@@ -35,7 +35,7 @@ pub(super) const EVENTS: [Event; 4] = [
     },
     Event {
         code: "lets_out_mass_of_first_body",
-        what: "has let out more than the mass of the body at the first place of its path, which contains the wire there",
+        what: "has let out more than the mass of its drum, or of the body at the first place of its path, which contains the wire there",
         crossing: Crossing::Falling,
     },
 ];
@@ -174,10 +174,16 @@ impl<S: Scalar> LineSupply<S> {
         feed.thrust - faster * (mass_per_length * now.rate)
     }
 
+    /// Returns the body whose mass contains the wire that is stored: the drum, or that of the first place.
+    fn store(&self, at: &Context<'_, S>) -> Option<usize> {
+        let drum = self.drum.as_ref().and_then(|drum| at.model.owner(drum.coordinate));
+        drum.map(|(body, _)| body).or(self.from.centre.body)
+    }
+
     /// Returns the indicators of the [events](EVENTS) of a line with this mass per length, kg/m.
     pub fn indicators(&self, now: &Supplied<S>, mass_per_length: S, at: &Context<'_, S>) -> [S; 4] {
         let stored = |body: usize| at.model.bodies[body].mass + (self.at_start - now.length) * mass_per_length;
-        [now.left, now.layers_left, now.range_left, self.from.centre.body.map_or(S::ONE, stored)]
+        [now.left, now.layers_left, now.range_left, self.store(at).map_or(S::ONE, stored)]
     }
 
     /// Returns the potential energy of the weight that was let out, J.

@@ -107,7 +107,10 @@ impl Reader<'_> {
                 return Err(FieldError::new(format!("{field}.input"), &given.input, allowed));
             }
             let names = names();
-            let none = || "an input: enabled drives and ropes have one, and motors with history: lever".to_owned();
+            let none = || {
+                "an input: enabled drives, ropes and loops with connection have one, and motors with history: lever"
+                    .to_owned()
+            };
             let allowed = if names.is_empty() { none() } else { one_of_with_hint(&names, &given.input) };
             return Err(FieldError::new(format!("{field}.input"), &given.input, allowed));
         };

@@ -134,6 +134,21 @@ pub fn close<S: Quantity>(scenario: &Scenario<S>, setup: &mut Setup<S>) -> Resul
     Err(FieldError::new(format!("loops.{name}"), found, "lengths and a start from which the loop closes"))
 }
 
+/// Removes the velocities with which closed loops would open.
+///
+/// # Errors
+/// A constraint that depends on others or that no coordinate affects.
+pub(crate) fn rest_in_loops<S: Quantity>(model: &Model<S>, q: &[S], v: &mut [S]) -> Result<(), FieldError> {
+    let (mut links, mut work, mut loads) = (LinkKinematics::new(model), Workspace::new(model), Loads::new(model));
+    let mut solver = LoopSolver::new(model, 0);
+    let hold = &mut |_: &LinkKinematics<S>, _: &[S], _: &[S], _: &mut [TemporaryConstraint<S>]| {};
+    let mut on = Projection { model, links: &mut links, work: &mut work, loads: &mut loads, hold };
+    solver.begin_at(&mut on, q, v);
+    check_independence(model, &solver)?;
+    solver.strike(&mut on, q, v);
+    Ok(())
+}
+
 /// Checks that the gap at the start is not larger than the scenario allows.
 fn check_start<S: Quantity>(scenario: &Scenario<S>, model: &Model<S>, rows: &[Row<S>]) -> Result<(), FieldError> {
     let mut rows = rows.iter();

@@ -69,7 +69,7 @@ pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
     check_mass_matrix(scenario, &setup)?;
     station::check(&setup)?;
     loops::close(scenario, &mut setup)?;
-    connections::begin(&mut setup);
+    connections::begin(&mut setup)?;
     cylinders::begin(&mut setup)?;
     ropes_at_start::begin(&mut setup)?;
     line::begin(&mut setup)?;
@@ -91,7 +91,7 @@ pub fn build(scenario: &Scenario) -> Result<Setup, FieldError> {
 pub fn assemble<S: Quantity>(scenario: &Scenario<S>, alone: &[&Setup]) -> Result<Setup<S>, FieldError> {
     let mut setup = open(scenario)?;
     loops::close(scenario, &mut setup)?;
-    connections::begin(&mut setup);
+    connections::begin(&mut setup)?;
     cylinders::begin(&mut setup)?;
     ropes_at_start::begin(&mut setup)?;
     line::begin(&mut setup)?;
@@ -122,6 +122,7 @@ fn open<S: Quantity>(scenario: &Scenario<S>) -> Result<Setup<S>, FieldError> {
     elements.extend(sensors);
     elements.extend(wind_and_current::anemometers(&world, &model, &elements));
     let controllers = controllers::add(at, &mut elements)?;
+    connections::check_inputs(&elements)?;
     let wires = wires::of(scenario, &elements)?;
     for (first, positions) in elements.iter().filter_map(|element| element.given_positions(&world, 0.0)) {
         q[first..first + 6].copy_from_slice(&positions);
