@@ -8,8 +8,8 @@ pub use misfit::{Misfit, PoseTolerance};
 
 use crate::dynamics::{LinkKinematics, TemporaryConstraint, loops};
 use crate::elements::{
-    Components, Context, Crossing, Declaration, Element, ElementState, EvaluationMode, Event, Holding, Input, Output,
-    PresentSupport, Support, VectorFrame,
+    AnyElement, Components, Context, Crossing, Declaration, Element, ElementState, EvaluationMode, Event, Holding,
+    Input, Output, PresentSupport, Support, VectorFrame, of_kind,
 };
 use crate::model::{Attachment, Constraint, Model};
 use crate::scalar::Scalar;
@@ -96,6 +96,11 @@ impl<S: Scalar> Connection<S> {
             reaction: Wrench::zero(),
         };
         Self { name: name.to_owned(), ends, constraints, tolerance, begins_released, at_start: ends[1], held }
+    }
+
+    /// Returns the connections among elements.
+    pub fn among(elements: &[AnyElement<S>]) -> impl Iterator<Item = &Self> {
+        of_kind(elements)
     }
 
     /// Returns its ends as it holds at the start of a run; `None` if it begins released.

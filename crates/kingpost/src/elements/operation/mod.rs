@@ -6,7 +6,7 @@ pub(crate) mod fields;
 
 pub use condition::{Bound, ColumnRange, Condition, Now};
 
-use crate::elements::{Context, Declaration, Element, ElementState, Occurrence, Output};
+use crate::elements::{AnyElement, Context, Declaration, Element, ElementState, Occurrence, Output, of_kind};
 use crate::scalar::Scalar;
 
 /// A timeline. The condition of its current step is checked at the start of each integrator step, so a step of the
@@ -59,6 +59,13 @@ const STEP: usize = 0;
 /// of the step.
 const BEGAN: usize = 0;
 const FROM: usize = 1;
+
+impl<S: Scalar> Operation<S> {
+    /// Returns the operation among elements, if there is one.
+    pub fn among(elements: &[AnyElement<S>]) -> impl Iterator<Item = &Self> {
+        of_kind(elements)
+    }
+}
 
 impl<S: Scalar> Element<S> for Operation<S> {
     fn name(&self) -> &str {

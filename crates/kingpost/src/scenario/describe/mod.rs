@@ -14,7 +14,7 @@ pub use facts::{ElementDescription, Fact};
 pub use in_water::{ImmersionDescription, ObjectInWater};
 pub use operation::{MoveDescription, StepDescription};
 
-use crate::elements::{Connection, Submerged, of_kind};
+use crate::elements::{Connection, Submerged};
 use crate::model::{Attachment, Loop, Model, Node};
 use crate::scenario::assembly::flexible::{owner, shape};
 use crate::scenario::schema::{self, LIVE_SETTINGS, Parameter, ParameterKind, ParameterValue, Scenario};
@@ -275,7 +275,7 @@ impl Scenario {
             bodies: model.bodies.iter().zip(&model.tree.nodes).enumerate().map(body).collect(),
             joints: model.joints.iter().zip(&model.bodies).map(joint).collect(),
             loops: model.loops.iter().map(|closed| describe_loop(model, closed)).collect(),
-            connections: of_kind(elements).map(|connection| describe_connection(model, connection)).collect(),
+            connections: Connection::among(elements).map(|own| describe_connection(model, own)).collect(),
             steps: operation::steps(elements),
             elements: facts::elements(self),
             gravity_m_s2: world.gravity,

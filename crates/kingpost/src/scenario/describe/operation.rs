@@ -1,7 +1,7 @@
 //! Steps of an operation: what each moves, and what ends it.
 
 use crate::elements::operation::{Move, OperationStep};
-use crate::elements::{AnyElement, Input, Layout, Operation, of_kind};
+use crate::elements::{AnyElement, Input, Layout, Operation};
 use serde::Serialize;
 
 /// A step of the operation.
@@ -37,7 +37,7 @@ pub struct MoveDescription {
 /// Describes the steps of the operation among the elements of a setup.
 pub(super) fn steps(elements: &[AnyElement]) -> Vec<StepDescription> {
     let inputs = Layout::new(elements, 0).inputs;
-    of_kind::<f64, Operation>(elements)
+    Operation::among(elements)
         .flat_map(|operation| operation.steps.iter().map(|step| describe(step, operation, &inputs)))
         .collect()
 }
