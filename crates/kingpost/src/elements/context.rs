@@ -2,6 +2,7 @@
 
 use crate::dynamics::{Clock, LinkKinematics};
 use crate::model::Model;
+use crate::scalar::Scalar;
 use crate::world::World;
 
 /// Purpose of an evaluation of the model: which effects take part.
@@ -74,5 +75,15 @@ impl<'a, S> Context<'a, S> {
         let (states, inputs, inputs_at_end, numbers, modes) = Default::default();
         let evaluation = EvaluationMode::AtRest;
         Self { clock, evaluation, world, model, links, q, v, states, inputs, inputs_at_end, numbers, modes }
+    }
+}
+
+/// Position of a lever at which it releases its element.
+const RELEASES: f64 = 0.5;
+
+impl<S: Scalar> Context<'_, S> {
+    /// Whether the first input of the element, its lever, commands its release.
+    pub fn is_let_go(&self) -> bool {
+        self.inputs.first().is_some_and(|lever| lever.all(|lever| lever >= RELEASES))
     }
 }

@@ -74,7 +74,7 @@ fn the_impact_speed_is_that_of_the_latest_touch_with_its_derivative() {
     assert!((derivative - G / impact).abs() < 2e-3, "{derivative} {}", G / impact);
 }
 
-/// A box on a slope of 0.1 rad, at rest on it at a place and a heading; the slope turns by 0.4 rad about its own vertical.
+/// A level box above a plane that leans by 0.1 rad about x; its shape has a heading of 0.3 rad.
 #[test]
 fn the_set_down_of_a_load_is_in_axes_of_its_surface() {
     let text = format!(

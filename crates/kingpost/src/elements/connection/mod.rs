@@ -58,9 +58,6 @@ const RELEASED: i64 = 1;
 /// It is to engage, and waits until its ends fit.
 const WAITS: i64 = 2;
 
-/// Position of the lever at which it is released.
-const RELEASES: f64 = 0.5;
-
 /// Misfit with which it still holds as at the start, m and rad: that of the loops of a state from outside, with six digits.
 const AS_BUILT: f64 = 1e-6;
 
@@ -126,11 +123,6 @@ impl<S: Scalar> Connection<S> {
     fn misfit(&self, at: &Context<'_, S>) -> Misfit<S> {
         let pose = loops::relative_pose(at.model, at.links, self.ends.each_ref());
         Misfit::new(&pose, &self.held.constraints)
-    }
-
-    /// Whether its lever commands its release.
-    fn is_let_go(at: &Context<'_, S>) -> bool {
-        at.inputs.first().is_some_and(|lever| lever.all(|lever| lever >= RELEASES))
     }
 
     /// Returns the indicator of its engaging: negative within the tolerance.
@@ -205,14 +197,14 @@ impl<S: Scalar> Element<S> for Connection<S> {
         let is_as_built = at.evaluation == EvaluationMode::Settling
             || [distance, angle].iter().all(|off| off.all(|off| off < AS_BUILT));
         Self::engage(&if is_as_built { self.at_start } else { self.here(at.model, at.links) }.in_body, own);
-        if self.begins_released || Self::is_let_go(at) {
+        if self.begins_released || at.is_let_go() {
             own.modes[0] = RELEASED;
             self.renew(at, own);
         }
     }
 
     fn renew(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
-        match (own.modes[0], Self::is_let_go(at)) {
+        match (own.modes[0], at.is_let_go()) {
             (ENGAGED, true) => {
                 own.modes[0] = RELEASED;
                 own.also = Some(IS_RELEASED);

@@ -4,9 +4,6 @@ use super::{IS_HOOKED_ON, IS_RELEASED, PARTED, RELEASED, Rope, SLACK};
 use crate::elements::{Context, ElementState, Input};
 use crate::scalar::Scalar;
 
-/// Position of the lever at which a rope is released.
-const RELEASES: f64 = 0.5;
-
 /// Whether a rope in this mode carries no load, because it is released or has parted.
 pub(super) fn is_off(mode: i64) -> bool {
     matches!(mode, RELEASED | PARTED)
@@ -19,21 +16,16 @@ impl<S: Scalar> Rope<S> {
         self.can_be_released.then(|| Input::lever(&self.name, 0.0, start))
     }
 
-    /// Whether its lever commands its release.
-    pub(super) fn is_let_go(&self, at: &Context<'_, S>) -> bool {
-        at.inputs.first().is_some_and(|lever| lever.all(|lever| lever >= RELEASES))
-    }
-
     /// Returns the length by which the path must shorten before the rope can be hooked on, m; positive while the lever
     /// commands the release.
     pub(super) fn out_of_reach(&self, at: &Context<'_, S>, stretch: S) -> S {
-        if self.is_let_go(at) { S::ONE } else { stretch }
+        if at.is_let_go() { S::ONE } else { stretch }
     }
 
     /// Returns the mode after a move of its lever, for a rope that has not parted; `None` if the mode does not depend
     /// on the lever.
     pub(super) fn hook_or_release(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) -> Option<i64> {
-        match (own.modes[0] == RELEASED, self.is_let_go(at)) {
+        match (own.modes[0] == RELEASED, at.is_let_go()) {
             (false, false) => None,
             (true, true) => Some(RELEASED),
             (false, true) => {

@@ -57,7 +57,7 @@ impl<S: Scalar> Rope<S> {
         let now = self.stretched(at);
         let pull = self.pull_length(&now);
         own.modes[0] = match (pull.all(|pull| pull >= 0.0), pull.all(|pull| pull < 0.0)) {
-            _ if self.is_let_go(at) => RELEASED,
+            _ if at.is_let_go() => RELEASED,
             _ if self.inextensible.is_some() => self.held_at_start(at),
             (true, _) => TAUT,
             (_, true) => SLACK,
