@@ -15,7 +15,7 @@ from kingpost.results import entries, read, write
 from kingpost.results.kept import has_attributes, is_of_a_run
 
 LIMIT = {"name": "heel", "column": "ship.roll", "unit": "deg", "at_least": -5.0, "at_most": None,
-         "held": True, "worst": 1.0, "worst_time_s": 0.5}  # fmt: skip
+         "percentile": 100.0, "held": True, "worst": 1.0, "worst_time_s": 0.5}  # fmt: skip
 UNKNOWN = LIMIT | {"name": "lift", "held": None, "worst": None, "worst_time_s": None}
 EVENT = {"time_s": 1.5, "element": "winch", "code": "stops", "what": "stops"}
 WARNING = {"time_s": 4.0, "code": "large_heel", "name": "ship", "value": 21.0, "bound": 20.0, "unit": "deg",

@@ -71,7 +71,14 @@ def test_runs_that_fail_are_named_by_their_seeds_beside_the_limits(seas, tmp_pat
 
 
 def limit(worst: float | None, held: bool | None, at_s: float | None = 1.0) -> dict:
-    bounds = {"at_least": -5.0, "at_most": 5.0, "held": held, "worst": worst, "worst_time_s": at_s}
+    bounds = {
+        "at_least": -5.0,
+        "at_most": 5.0,
+        "percentile": 100.0,
+        "held": held,
+        "worst": worst,
+        "worst_time_s": at_s,
+    }
     return {"name": "heel", "column": "hull.roll", "unit": "deg", **bounds}
 
 

@@ -99,7 +99,7 @@ describe("units", () => {
 });
 
 describe("a drawn line", () => {
-  const limit = (at_least: number | null, at_most: number | null): LimitInfo => ({ name: "most_heel", column: "ship.roll", unit: "deg", unit_si: Math.PI / 180, at_least, at_most, from_s: 7, until_s: null, steps: [] });
+  const limit = (at_least: number | null, at_most: number | null): LimitInfo => ({ name: "most_heel", column: "ship.roll", unit: "deg", unit_si: Math.PI / 180, at_least, at_most, from_s: 7, until_s: null, steps: [], percentile: 100 });
   const figures = new Figures(described, CHANNELS);
   const drawn = (id: string, limits: LimitInfo[]) => new DrawnLine(figures.line(id)!, "", "roll", new Columns(CHANNELS), "deg", limits);
 

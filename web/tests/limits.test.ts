@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import type { LimitInfo } from "../src/engine/engine";
 import { gravest, LimitTrack, marginOf } from "../src/instruments/limits";
 
-const HEEL: LimitInfo = { name: "heel", column: "hull.roll", unit: "deg", unit_si: Math.PI / 180, at_least: -5, at_most: 5, from_s: 0, until_s: null, steps: [] };
+const HEEL: LimitInfo = { name: "heel", column: "hull.roll", unit: "deg", unit_si: Math.PI / 180, at_least: -5, at_most: 5, from_s: 0, until_s: null, steps: [], percentile: 100 };
 const GAP: LimitInfo = { ...HEEL, name: "gap", column: "gap", unit: "m", unit_si: 1, at_least: 0, at_most: null };
 const deg = (value: number) => [0, (value * Math.PI) / 180];
 
@@ -45,6 +45,15 @@ describe("a limit", () => {
     expect(track.state(1, [1, 9])).toBe("waiting");
     expect(track.worstUntil(1)).toBeNull();
     expect(track.worstUntil(2)).toEqual({ time_s: 2, value: expect.closeTo(1, 12) });
+  });
+
+  it("a limit with a percentile allows its share of rows beyond the bound", () => {
+    const track = tracked({ ...HEEL, percentile: 80 }, [1, 7, 2, 3, 6]);
+    expect([1, 3, 4].map((time_s) => track.worstUntil(time_s)!.value)).toEqual([7, 7, 6].map((value) => expect.closeTo(value, 12)));
+    expect(track.state(4, deg(1))).toBe("exceeded");
+    [1, 1, 1, 1, 1].forEach((value, k) => track.see(5 + k, deg(value)));
+    expect(track.worstUntil(9)!.value).toBeCloseTo(3, 12);
+    expect(track.state(9, deg(1))).toBe("ok");
   });
 
   it("the worst value so far is the one with the smallest margin to a bound", () => {

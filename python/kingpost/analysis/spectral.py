@@ -171,7 +171,9 @@ def spectral_response(
         error = np.where(m0 > 0, np.abs(np.sqrt(halved / m0) - 1), 0.0)
     at = {name: k for k, name in enumerate(found.columns)}
     probability = [
-        exceedance((one.at_least, one.at_most), found.mean[k], sigma[k], period[k], duration_s)
+        exceedance(
+            (one.at_least, one.at_most), found.mean[k], sigma[k], period[k], duration_s, one.percentile
+        )
         for one in bounds
         for k in [at[one.column]]
     ]
@@ -368,8 +370,12 @@ def exceedance(
     sigma: ArrayLike,
     period_s: ArrayLike,
     duration_s: float,
+    percentile: float = 100.0,
 ) -> Numbers:
     """Probability that a Gaussian process leaves its bounds in a duration, by Rice's rate of crossings.
+
+    For a percentile below 100, the share of the time outside the bounds is compared with the allowed one: the
+    probability is 0 or 1.
 
     Parameters
     ----------
@@ -381,6 +387,8 @@ def exceedance(
         Zero up-crossing period of the process, s.
     duration_s
         The time, s.
+    percentile
+        Percentage of the time in which the process must be within its bounds.
 
     Returns
     -------
@@ -389,7 +397,11 @@ def exceedance(
 
     >>> round(float(exceedance((None, 4.0), 0.0, 1.0, 8.0, 10800.0)), 3)
     0.364
+    >>> [float(exceedance((None, most), 0.0, 1.0, 8.0, 10800.0, 95.0)) for most in (1.64, 1.65)]
+    [1.0, 0.0]
     """
+    if percentile < 100:
+        return np.where(share_outside(bounds, mean, sigma) > 1 - percentile / 100, 1.0, 0.0)
     mean, sigma, period = (np.asarray(x, float) for x in (mean, sigma, period_s))
     crossings = np.zeros(np.broadcast_shapes(mean.shape, sigma.shape, period.shape))
     beyond = np.zeros(crossings.shape, bool)
@@ -401,6 +413,25 @@ def exceedance(
                 rate = duration_s / period * np.exp(-0.5 * (margin / sigma) ** 2)
             crossings = crossings + np.where(sigma == 0, 0.0, rate)
     return np.where(beyond, 1.0, -np.expm1(-crossings))
+
+
+def share_outside(bounds: tuple[float | None, float | None], mean: ArrayLike, sigma: ArrayLike) -> Numbers:
+    """Share of the time for which a Gaussian process is outside its bounds.
+
+    >>> round(float(share_outside((-1.0, 1.0), 0.0, 1.0)), 4)
+    0.3173
+    """
+    from scipy import stats
+
+    mean, sigma = np.asarray(mean, float), np.asarray(sigma, float)
+    outside = np.zeros(np.broadcast_shapes(mean.shape, sigma.shape))
+    for bound, side in zip(bounds, (-1.0, 1.0), strict=True):
+        if bound is not None:
+            margin = side * (bound - mean)
+            # At rest the mean is inside or outside for all the time.
+            share = stats.norm.sf(margin / np.where(sigma > 0, sigma, 1.0))
+            outside = outside + np.where(sigma > 0, share, margin < 0)
+    return np.where(np.isnan(sigma), np.nan, outside)
 
 
 def of_one_frequency(found: Transfer, systems: Sequence[WaveSystem]) -> list[str]:

@@ -14,7 +14,7 @@ from ..errors import KingpostError
 from ..results.entries import limits_of_runs, warnings_of_runs
 from ..results.kept import has_entries
 from ..simulation.outcomes import Outcome, in_words, of_run, with_partings
-from .tables import table, unit_cell
+from .tables import of_the_time, table, unit_cell
 
 if TYPE_CHECKING:
     import xarray
@@ -103,11 +103,14 @@ def _allowed(limit: Mapping[str, Any]) -> str:
 
     >>> _allowed({"at_least": None, "at_most": 5.0}), _allowed({"at_least": -2.0, "at_most": 2.0})
     ('at most 5', '-2 to 2')
+    >>> _allowed({"at_least": None, "at_most": 5.0, "percentile": 95.0})
+    'at most 5 for 95 % of the time'
     """
     least, most = limit["at_least"], limit["at_most"]
+    share = of_the_time(limit.get("percentile", 100.0))
     if least is None:
-        return f"at most {most:g}"
-    return f"at least {least:g}" if most is None else f"{least:g} to {most:g}"
+        return f"at most {most:g}{share}"
+    return (f"at least {least:g}" if most is None else f"{least:g} to {most:g}") + share
 
 
 def warnings(outcomes: Sequence[Outcome]) -> tuple[list[str], list[str]]:

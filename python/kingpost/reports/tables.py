@@ -71,6 +71,15 @@ def kilograms(value: float) -> str:
     return masses([value])[0]
 
 
+def of_the_time(percentile: float) -> str:
+    """Format the percentage of the time for which a limit must hold, if it is not all.
+
+    >>> of_the_time(100.0), of_the_time(99.5)
+    ('', ' for 99.5 % of the time')
+    """
+    return "" if percentile >= 100 else f" for {percentile:g} % of the time"
+
+
 def unit_cell(unit: str) -> str:
     """Format a unit for a table; empty for a dimensionless number.
 

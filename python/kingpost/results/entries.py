@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, TypedDict
+from typing import TYPE_CHECKING, Any, TypedDict, cast
 
 import numpy as np
 
@@ -50,6 +50,7 @@ class LimitEntry(TypedDict):
     unit: str
     at_least: float | None
     at_most: float | None
+    percentile: float
     held: bool | None
     worst: float | None
     worst_time_s: float | None
@@ -143,8 +144,9 @@ def model_warnings_of(results: xarray.Dataset) -> list[str]:
 
 
 def limits_of(results: xarray.Dataset) -> list[LimitEntry]:
-    """The limits of a run, in the order of its scenario."""
-    return _rows(results, "limit")
+    """The limits of a run, in the order of its scenario. Those of earlier versions' files are of all rows."""
+    rows: list[dict[str, Any]] = _rows(results, "limit")
+    return [cast(LimitEntry, {"percentile": 100.0} | row) for row in rows]
 
 
 def warnings_of_runs(results: xarray.Dataset) -> list[list[WarningEntry]]:

@@ -10,19 +10,20 @@ MODEL = "model"
 HELD = "held"
 OF_RUNS = ("limit_held", "limit_worst", "limit_worst_time")
 """Variables with a value for each run of a `Batch`."""
-BOUNDS = ("limit_at_least", "limit_at_most")
+BOUNDS = ("limit_at_least", "limit_at_most", "limit_percentile")
 """Variables with a value for each run of a `Batch` whose runs differ in it."""
 
 
 @dataclass(frozen=True)
 class Field:
     """Variable of a table: its key in an entry, its type, its attributes, and whether NaN stands for a
-    missing value."""
+    missing value. Files of earlier versions may lack a later one."""
 
     key: str
     kind: type
     about: dict[str, str]
     optional: bool = False
+    later: bool = False
 
 
 def _text(key: str, long_name: str, description: str) -> Field:
@@ -61,6 +62,9 @@ TABLES: dict[str, dict[str, Field]] = {
         "limit_unit": _text("unit", "unit", "unit of bounds and worst value"),
         "limit_at_least": _number("at_least", "lower bound", "smallest allowed value; NaN: no bound", True),
         "limit_at_most": _number("at_most", "upper bound", "largest allowed value; NaN: no bound", True),
+        "limit_percentile": Field("percentile", float, {
+            "units": "%", "long_name": "percentile", "description": "rows that must be within the bounds",
+        }, later=True),
         "limit_held": Field(HELD, bool, {
             "long_name": "held", "description": "1: held, 0: exceeded, -1: unknown, no row counted"}),
         "limit_worst": _number("worst", "worst value", "nearest to a bound or farthest beyond it", True),

@@ -84,6 +84,7 @@ def has_entries(results: xarray.Dataset) -> bool:
         present = [name for name in fields if name in results.variables]
         if not present:
             continue
+        expected = [name for name in expected if name in present or not fields[name].later]
         if not set(expected) <= set(present):
             return False
         held = {name: results.variables[name] for name in expected}
@@ -120,7 +121,7 @@ def _makes_sense(dim: str, values: Mapping[str, NDArray[Any]], runs: int | None)
         of_run = values.get("warning_run", np.empty(0, int))
         known = np.isfinite(values["warning_time"]) | (values["warning_code"] == MODEL)
         return bool(known.all() and (of_run >= -1).all() and (of_run < (runs or 0)).all())
-    held, (least, most) = values[f"limit_{HELD}"], (values[name] for name in BOUNDS)
+    held, (least, most) = values[f"limit_{HELD}"], (values[f"limit_at_{side}"] for side in ("least", "most"))
     is_bounded = ~np.isnan(least) | ~np.isnan(most)
     is_judged = (held == -1) | ~np.isnan(values["limit_worst"])
     return bool(np.isin(held, (-1, 0, 1)).all() and is_bounded.all() and is_judged.all())

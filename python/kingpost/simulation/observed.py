@@ -115,15 +115,13 @@ class Observed:
         >>> Simulation(load("paper").with_overrides(limits)).limit_bounds[0].at_most
         3.141592653589793
         """
-        limits = self.scenario.model["limits"]
-        return [
-            LimitBounds(
-                one["name"],
-                one["column"],
-                *(None if one[end] is None else one[end] * one["unit_si"] for end in ("at_least", "at_most")),
-            )
-            for one in limits
-        ]
+
+        def bounds(one: dict[str, Any]) -> LimitBounds:
+            ends = (one["at_least"], one["at_most"])
+            least, most = (None if end is None else end * one["unit_si"] for end in ends)
+            return LimitBounds(one["name"], one["column"], least, most, one["percentile"])
+
+        return [bounds(one) for one in self.scenario.model["limits"]]
 
     @property
     def lever_moves(self) -> list[LeverMove]:

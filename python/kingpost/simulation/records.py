@@ -62,12 +62,16 @@ class Input:
 
 @dataclass(frozen=True)
 class LimitBounds:
-    """Bounds that a limit sets to its column, in the column's SI unit; None where there is no bound."""
+    """Bounds that a limit sets to its column, in the column's SI unit; None where there is no bound.
+
+    `percentile` is the percentage of the rows that must be within them; 100 for all.
+    """
 
     name: str
     column: str
     at_least: float | None
     at_most: float | None
+    percentile: float = 100.0
 
 
 @dataclass(frozen=True)
@@ -171,10 +175,13 @@ class Limit:
         Unit of all numbers here.
     at_least, at_most
         The smallest and the largest allowed value; None if that side has no bound.
+    percentile
+        Percentage of the rows that must be within the bounds; 100 for all.
     held
         Whether the limit held; None if no row counted.
     worst, worst_time_s
-        Value nearest to a bound, or farthest beyond it, and its time, s.
+        Value nearest to a bound, or farthest beyond it, and its time, s; with a percentile below 100 of the
+        rows without the allowed share of the worst.
     """
 
     name: str
@@ -182,6 +189,7 @@ class Limit:
     unit: str
     at_least: float | None
     at_most: float | None
+    percentile: float
     held: bool | None
     worst: float | None
     worst_time_s: float | None

@@ -11,6 +11,8 @@ from numpy.typing import NDArray
 
 from ..results.operation_steps import rows_of_step
 
+ROUNDING = 1e-12
+"""Share of an allowed number of rows by which it is rounded: 1 % of 100 rows is one row."""
 EXTREMES = ("maximum", "minimum", "time_of_maximum", "time_of_minimum")
 
 
@@ -32,6 +34,8 @@ class Bounds:
         Time until which it counts, s.
     steps
         Numbers of the steps in which it counts, from 1; all if there are none.
+    percentile
+        Percentage of the rows that must be within the bounds; 100 for all.
     """
 
     column: int
@@ -41,6 +45,7 @@ class Bounds:
     from_s: float
     until_s: float = np.inf
     steps: tuple[int, ...] = ()
+    percentile: float = 100.0
 
 
 def reduce_steps(
@@ -109,8 +114,15 @@ def extremes(x: NDArray[np.float64], time_s: NDArray[np.float64]) -> NDArray[np.
 def worst(values: NDArray[np.float64], bounds: Bounds) -> int | None:
     """Place of the value nearest to a bound or farthest beyond one; None without a value.
 
+    With a percentile below 100, the allowed share of the worst rows is left out before, as the engine does.
+
     >>> worst(np.array([0.0, -4.0, 3.0]), Bounds(0, -5.0, 5.0, 1.0, 0.0))
     1
+    >>> worst(np.array([0.0, -4.0, 3.0, 1.0]), Bounds(0, -5.0, 5.0, 1.0, 0.0, percentile=75.0))
+    2
     """
     margin = np.minimum(values - bounds.at_least, bounds.at_most - values)
-    return None if np.isnan(margin).all() else int(np.nanargmin(margin))
+    if np.isnan(margin).all():
+        return None
+    allowed = (1 - bounds.percentile / 100) * np.count_nonzero(~np.isnan(margin))
+    return int(np.argsort(margin, kind="stable")[int(allowed * (1 + ROUNDING))])

@@ -15,11 +15,12 @@ from ..errors import KingpostError
 from ..reports import plot
 from ..reports.load_chart import cranes_with_chart, load_chart_figure
 from ..reports.range_graph import range_graph_figure
-from ..reports.tables import unit_cell
+from ..reports.tables import of_the_time, unit_cell
 from ..results.units import engineering
 from ..simulation.outcomes import NUMBER
 from ..simulation.simulate import run
 from ..study.design.job import WarningCount
+from ..study.limiting.largest import percentiles
 from ..study.reduce import FINISHED, HELD, UNKNOWN
 from ..study.summary import EndedRun, ResultSummary
 from .blocks import Block, Command, Heading, Link, Paragraph, Picture, Section, Table
@@ -86,6 +87,7 @@ def limits_table(runs: xarray.Dataset, axes: Sequence[str]) -> Table:
         where = "-" if one is None else run_text(runs, one.run, axes, one.time_s)
         value = "-" if one is None else f"{one.value:.4g}"
         allowed = bounds_text(float(of["at_least"]), float(of["at_most"]), str(of["limit_unit"].item()))
+        allowed += of_the_time(percentiles(of).item())
         column = str(of["limit_column"].item())
         rows.append((str(name), column, allowed, f"{held} of {int(judged.sum())}", value, where))
     head = ("limit", "column", "allowed", "held in runs", "worst", "in")

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..reports.tables import of_the_time
+from ..study.limiting.largest import percentiles
 from ..study.reduce import FINISHED
 from .blocks import Block, Paragraph, Section, Table
 from .cases import STORE, bounds_text, run_text, utilisation
@@ -100,7 +102,8 @@ def _limits(runs: xarray.Dataset, axes: Sequence[str], shares: NDArray[np.float6
         beyond = np.fmax(values - most, least - values)
         at = int(np.nanargmax(beyond))
         rows.append((str(runs["step_name"].values[step]), str(runs["limit"].values[limit]),
-                     bounds_text(least, most, unit), f"{values[at]:.4g}", _share(shares[at, step, limit]),
+                     bounds_text(least, most, unit) + of_the_time(percentiles(runs)[limit]),
+                     f"{values[at]:.4g}", _share(shares[at, step, limit]),
                      run_text(runs, at, axes, float(time_s[at, step, limit]))))  # fmt: skip
     head = ("step", "limit", "allowed", "worst", "utilisation", "in")
     origin = f"{ORIGIN} step_limit_worst, step_limit_time. Values are in the limit's unit."

@@ -696,6 +696,10 @@ export interface LimitDescription {
    * Numbers of the steps of the operation in which it applies, from 1; none if it applies in all.
    */
   steps: number[];
+  /**
+   * Percentage of the rows that must be within the bounds; 100 for all.
+   */
+  percentile: number;
 }
 /**
  * A parameter of the scenario, with its value.

@@ -4277,6 +4277,9 @@ export type Controller =
     }
   | {
       platform_compensation: PlatformCompensation;
+    }
+  | {
+      heave_forecast: HeaveForecast;
     };
 /**
  * The condition that ends a step of an operation.
@@ -4299,6 +4302,9 @@ export type Condition =
     }
   | {
       count: CountedCondition;
+    }
+  | {
+      lull: Lull;
     };
 
 /**
@@ -6821,6 +6827,57 @@ export interface PlatformCompensation {
   prediction?: HeavePrediction | null;
 }
 /**
+ * Predicts the heave of a point, such as the crane's tip, for the next seconds, from the past motion that a sensor measures. A
+ * step of an operation waits for a lull with it. Its outputs are `predicted_heave`, `predicted_heave_error` and
+ * `predicted_heave_bound` (m) and `forecast_ready`. It sets no input.
+ */
+export interface HeaveForecast {
+  /**
+   * Whether the element acts.
+   */
+  enabled?: boolean;
+  /**
+   * The body of the point.
+   */
+  body: string;
+  /**
+   * The point, in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+  /**
+   * The motion reference unit or inertial unit that measures the motion.
+   */
+  sensor: string;
+  /**
+   * Time between two samples, s; at least simulation.step_s.
+   */
+  period_s: number;
+  /**
+   * How far ahead it predicts, s.
+   */
+  horizon_s?: number;
+  /**
+   * Shortest period of the heave, s; at least four times period_s. A narrow band of periods, as of swell, can be predicted for
+   * longer than a wide one.
+   */
+  shortest_period_s?: number;
+  /**
+   * Longest period, s; longer than the shortest.
+   */
+  longest_period_s?: number;
+  /**
+   * Standard deviation of the noise in a measured velocity over that of the velocity.
+   */
+  noise_share?: number;
+  /**
+   * Standard deviations of its error that the bound adds to the predicted heave.
+   */
+  margin?: number;
+}
+/**
  * A connection from a sampled output to an input, which keeps each sample until the next. Both have the same unit.
  *
  * This interface was referenced by `undefined`'s JSON-Schema definition
@@ -6959,6 +7016,9 @@ export interface HoldingCondition {
       }
     | {
         count: CountedCondition;
+      }
+    | {
+        lull: Lull;
       };
 }
 /**
@@ -6990,7 +7050,23 @@ export interface CountedCondition {
       }
     | {
         count: CountedCondition;
+      }
+    | {
+        lull: Lull;
       };
+}
+/**
+ * A lull: the bound of a forecast of the heave is low. Its error counts: no lull before the forecast is ready.
+ */
+export interface Lull {
+  /**
+   * The controller of the kind `heave_forecast`. Its `horizon_s` is the length of the lull.
+   */
+  forecast: string;
+  /**
+   * The heave, m: `predicted_heave_bound` is below it.
+   */
+  below_m: number;
 }
 /**
  * A limit on a column of the results. A run reports for each limit whether it held, and the worst value with its time.
@@ -7035,4 +7111,9 @@ export interface Limit {
    * Names of the steps of the operation in which the limit applies; without them, in all and without an operation.
    */
   steps?: string[];
+  /**
+   * Percentage of the rows of the results that must be within the bounds, above 0 and at most 100: 95 allows values beyond a
+   * bound for 5 % of the time. Without it, all rows.
+   */
+  percentile?: number | null;
 }

@@ -23,8 +23,12 @@ export function marginOf({ at_least, at_most }: LimitInfo, value: number): numbe
   return Math.min(at_most === null ? Infinity : at_most - value, at_least === null ? Infinity : value - at_least);
 }
 
+/** Share of an allowed number of rows by which it is rounded: 1 % of 100 rows is one row. */
+const ROUNDING = 1e-12;
+
 /**
- * A limit, with the worst value up to each time of a run: the list grows only when a value is worse than all before.
+ * A limit, with the worst value up to each time of a run: the list grows only when a value is worse than all before. A limit with
+ * a percentile has all values, and its worst one is that after the allowed share of them.
  */
 export class LimitTrack {
   private worsts: Worst[] = [];
@@ -56,7 +60,7 @@ export class LimitTrack {
     if (Math.abs(value) > this.size) this.size = Math.abs(value);
     if (!this.appliesTo(time_s, row)) return;
     const last = this.worsts.at(-1);
-    if (!last || marginOf(this.limit, value) < marginOf(this.limit, last.value)) this.worsts.push({ time_s, value });
+    if (!last || this.isOfShare || marginOf(this.limit, value) < marginOf(this.limit, last.value)) this.worsts.push({ time_s, value });
   }
 
   /** Drops the values after a time from which the run continues. */
@@ -66,6 +70,7 @@ export class LimitTrack {
 
   /** Returns the worst value since the limit applies, up to a time; null if there is none. */
   worstUntil(time_s: number): Worst | null {
+    if (this.isOfShare) return this.worstOfShare(time_s);
     let at = this.worsts.length - 1;
     while (at >= 0 && this.worsts[at].time_s > time_s) at -= 1;
     return this.worsts[at] ?? null;
@@ -73,7 +78,8 @@ export class LimitTrack {
 
   state(time_s: number, row: ArrayLike<number>): LimitState {
     if (!this.appliesTo(time_s, row)) return "waiting";
-    const margin = marginOf(this.limit, this.valueIn(row));
+    const value = (this.isOfShare ? this.worstUntil(time_s)?.value : undefined) ?? this.valueIn(row);
+    const margin = marginOf(this.limit, value);
     if (margin < 0) return "exceeded";
     return margin < NEAR * this.scale() ? "near" : "ok";
   }
@@ -85,6 +91,18 @@ export class LimitTrack {
     const low = at_least === null ? Math.min(0, ...this.seen()) : Math.min(at_least - room, ...this.seen());
     const high = at_most === null ? Math.max(low + 3 * this.scale(), ...this.seen()) : Math.max(at_most + room, ...this.seen());
     return [low, high];
+  }
+
+  /** Whether a share of the rows may be beyond a bound. */
+  private get isOfShare(): boolean {
+    return this.limit.percentile < 100;
+  }
+
+  private worstOfShare(time_s: number): Worst | null {
+    const seen = this.worsts.filter((one) => one.time_s <= time_s);
+    const allowed = Math.floor((1 - this.limit.percentile / 100) * seen.length * (1 + ROUNDING));
+    const byMargin = seen.sort((a, b) => marginOf(this.limit, a.value) - marginOf(this.limit, b.value));
+    return byMargin[Math.min(allowed, seen.length - 1)] ?? null;
   }
 
   private seen(): number[] {

@@ -61,7 +61,7 @@ mod watcher;
 pub use air_gap::AirGap;
 pub use anemometer::Anemometer;
 pub use clearance::Clearance;
-pub use compensation::{HeaveCompensation, PlatformCompensation, ThreeAxisCompensation};
+pub use compensation::{HeaveCompensation, HeaveForecast, PlatformCompensation, ThreeAxisCompensation};
 pub use connection::Connection;
 pub use contact::Contact;
 pub use context::{Context, EvaluationMode};

@@ -23,6 +23,7 @@ pub use crate::elements::{Input, Warning};
 pub use errors::{InputError, RunError};
 pub use events::EventRecord;
 pub use feedback::GrowingMode;
+pub(crate) use limits::OPERATION_STEP;
 pub use limits::{Limit, LimitResult};
 pub use settle::{Equilibrium, Instability, NoEquilibrium};
 pub use setup::{SchemeName, Settings, Setup};

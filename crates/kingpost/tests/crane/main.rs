@@ -17,6 +17,7 @@ mod cylinder_compensators;
 mod cylinders;
 mod entrained_water;
 mod heave_compensation;
+mod heave_forecast;
 mod inertial_unit;
 mod inextensible_ropes;
 mod line_along;

@@ -310,3 +310,9 @@ fn a_mistake_is_told_with_its_place() {
         assert!(found.contains(expected), "{found}\nlacks: {expected}");
     }
 }
+
+#[test]
+fn rejects_a_platform_that_is_no_body() {
+    let found = built(PLATFORM, &[("KEEP.body", json!("plattform"))]).map(drop).expect_err("a mistake");
+    assert!(found.contains("keep.platform_compensation.body: found plattform, allowed: one of "), "{found}");
+}

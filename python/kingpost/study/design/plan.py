@@ -205,7 +205,7 @@ def _bounds(file: StudyFile, simulation: Simulation, names: Sequence[str], limit
     least = -inf if limit.at_least is None else limit.at_least
     most = inf if limit.at_most is None else limit.at_most
     unit_si = float(known["unit_si"])
-    return Bounds(names.index(limit.column), least, most, unit_si, from_s, until_s, steps)
+    return Bounds(names.index(limit.column), least, most, unit_si, from_s, until_s, steps, limit.percentile)
 
 
 def _matching(file: StudyFile, field: str, patterns: Sequence[str], known: dict[str, str]) -> set[str]:

@@ -19,7 +19,7 @@ MOST_NAMED = 3
 TAKEN = {
     *("run", "case", "seed", "sample", "cell", "status", "statistic", "statistics"),
     *("column", "column_unit", "limit", "limit_column", "limit_unit", "limit_unit_si"),
-    *("at_least", "at_most", "limit_from_s", "limit_until_s"),
+    *("at_least", "at_most", "limit_from_s", "limit_until_s", "limit_percentile"),
     *("limit_held", "limit_worst", "limit_time"),
     *("step", "step_name", "step_begin", "step_end", "step_extremes"),
     *("step_limit_worst", "step_limit_time", "stationary_s", "extreme"),

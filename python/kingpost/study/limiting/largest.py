@@ -41,6 +41,8 @@ class Maxima:
         Duration to which each step is extrapolated; NaN for one that happens once.
     one_off
         Whether a run happens once.
+    of_share
+        Whether each quantity is a percentile of the rows, which does not grow with the duration.
     """
 
     of_run: Numbers
@@ -50,6 +52,7 @@ class Maxima:
     steps_s: Numbers
     stationary_s: Numbers
     one_off: bool
+    of_share: NDArray[np.bool_]
 
     @classmethod
     def of_limits(cls, results: xarray.Dataset) -> Maxima:
@@ -67,8 +70,12 @@ class Maxima:
             worst = _worst(results, "step_limit_worst")
             of_steps = np.fmax(worst - most, least - worst)
         possible = _largest_excess(results, least, most)
-        by_steps = _of_steps(results, from_s, until_s)
-        return cls(of_run, of_steps, possible, _positive(until_s - from_s), *by_steps)
+        steps_s, stationary_s, once = _of_steps(results, from_s, until_s)
+        record_s = _positive(until_s - from_s)
+        if of_steps.size:
+            record_s = np.fmin(record_s, _in_its_steps(steps_s, of_steps))
+        of_share = percentiles(results) < 100
+        return cls(of_run, of_steps, possible, record_s, steps_s, stationary_s, once, of_share)
 
     @classmethod
     def of_columns(cls, results: xarray.Dataset, sign: float) -> Maxima:
@@ -86,15 +93,18 @@ class Maxima:
         )
         duration_s = float(results.attrs["duration_s"])
         by_steps = _of_steps(results, from_s, np.full(columns, duration_s))
-        return cls(of_run, of_steps, possible, duration_s - from_s, *by_steps)
+        no_share = np.zeros(columns, bool)
+        return cls(of_run, of_steps, possible, duration_s - from_s, *by_steps, no_share)
 
     def largest(self, runs: NDArray[np.intp], k: int, operation_s: float) -> Largest | None:
         """Distribution of the largest value of a quantity over the runs of a case; None if it is not known.
 
         A run that is stationary as a whole is extrapolated to `operation_s`. Of a run that happens once, its
         steps that happen once give the sample, each stationary step is extrapolated to its duration, and the
-        two are joined.
+        two are joined. A percentile of the rows is that of each run, which is the sample.
         """
+        if self.of_share[k]:
+            return _once(self.of_run[runs, k])
         if not self.one_off:
             return _stationary(self.of_run[runs, k], self.record_s[k], operation_s)
         held = np.flatnonzero(np.isfinite(self.stationary_s))
@@ -156,6 +166,19 @@ def _of_steps(results: xarray.Dataset, from_s: Numbers, until_s: Numbers) -> tup
     begin, end = (results[name].transpose("run", "step").values for name in ("step_begin", "step_end"))
     lengths_s = _positive(np.minimum(end[..., None], until_s) - np.maximum(begin[..., None], from_s))
     return lengths_s, results["stationary_s"].values, one_off
+
+
+def percentiles(results: xarray.Dataset) -> Numbers:
+    """Percentage of the rows that must be within the bounds of each limit; 100 in files without it."""
+    if "limit_percentile" in results.coords:
+        return np.asarray(results["limit_percentile"].values, float)
+    return np.full(results["at_least"].shape, 100.0)
+
+
+def _in_its_steps(steps_s: Numbers, worst: Numbers) -> Numbers:
+    """Mean time for which a limit counts in a run, s: that of the steps in which it has a value."""
+    counted = np.where(np.isfinite(worst), steps_s, 0.0)
+    return _positive(np.nansum(counted, axis=1).mean(axis=0))
 
 
 def _positive(durations_s: Numbers) -> Numbers:

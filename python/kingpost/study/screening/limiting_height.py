@@ -30,6 +30,7 @@ def limiting_height(
     m2: Numbers,
     operation_s: float,
     acceptance: float,
+    percentile: float = 100.0,
 ) -> Numbers:
     """Find the significant height at which a limit is exceeded with the accepted probability.
 
@@ -45,6 +46,8 @@ def limiting_height(
         Duration of the operation, s.
     acceptance
         Accepted probability.
+    percentile
+        Percentage of the time in which the column must be within its bounds.
 
     Returns
     -------
@@ -57,19 +60,29 @@ def limiting_height(
     >>> sigma = 0.25 * found
     >>> round(float(spectral.exceedance((None, 3.0), 0.0, sigma, 2 * np.pi, 1800.0)), 6)
     0.1
+    >>> found = limiting_height(np.array([1.0, 2.0]), (None, 3.0), 0 * m0, m0, m0, 1800.0, 0.1, 95.0)
+    >>> round(float(spectral.share_outside((None, 3.0), 0.0, 0.25 * found)), 6)
+    0.05
     """
+    accepted = acceptance if percentile >= 100 else 1 - percentile / 100
+
+    def outside(mean: Numbers, sigma: Numbers, period: Numbers) -> Numbers:
+        if percentile < 100:
+            return spectral.share_outside(bounds, mean, sigma)
+        return spectral.exceedance(bounds, mean, sigma, period, operation_s)
+
     sums = [_by_height(heights_m, moment) for moment in (m0, m2)]
     if any(one is None for one in sums):
         sigma, period = spectral.deviation_and_period(m0, m2)
-        reached = spectral.exceedance(bounds, mean, sigma, period, operation_s)
-        return _between(heights_m, np.where(np.isnan(sigma), np.nan, reached), acceptance)
+        reached = outside(mean, sigma, period)
+        return _between(heights_m, np.where(np.isnan(sigma), np.nan, reached), accepted)
     of_m0, of_m2 = (one for one in sums if one is not None)
 
     def exceeded(height: Numbers) -> NDArray[np.bool_]:
         sigma, period = spectral.deviation_and_period(
             of_m0[0] * height**2 + of_m0[1], of_m2[0] * height**2 + of_m2[1]
         )
-        return spectral.exceedance(bounds, mean[0], sigma, period, operation_s) > acceptance
+        return outside(mean[0], sigma, period) > accepted
 
     low, high = (np.full(m0.shape[1:], end) for end in HEIGHTS_M)
     always, never = exceeded(low), ~exceeded(high)

@@ -202,7 +202,12 @@ def _dataset(
     at = [found.columns.index(one.column) for one in found.bounds]
     probability = [
         spectral.exceedance(
-            (one.at_least, one.at_most), found.mean[..., k], sigma[..., k], period[..., k], operation_s
+            (one.at_least, one.at_most),
+            found.mean[..., k],
+            sigma[..., k],
+            period[..., k],
+            operation_s,
+            one.percentile,
         )
         for one, k in zip(found.bounds, at, strict=True)
     ]
@@ -228,6 +233,7 @@ def _dataset(
                 first[2][..., k],
                 operation_s,
                 acceptance,
+                one.percentile,
             )
             for one, k in zip(found.bounds, at, strict=True)
         ]

@@ -89,6 +89,7 @@ def coordinates(plan: Plan) -> dict[str, tuple[str, NDArray[np.generic], dict[st
         duration_s = float(plan.scenario.resolved["simulation"]["duration_s"])
         until_s = np.minimum([one.until_s for one in bounds], duration_s)
         found["limit_until_s"] = ("limit", until_s, {"units": "s"})
+        found["limit_percentile"] = ("limit", np.array([one.percentile for one in bounds], float), {})
         found["limit_unit_si"] = ("limit", np.array([one.unit_si for one in bounds], float), {})
     if plan.kept.steps:
         found["step"] = ("step", np.arange(1, len(plan.kept.steps) + 1), {})

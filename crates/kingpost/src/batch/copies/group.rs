@@ -5,7 +5,7 @@ use crate::plant::{Form, ObservedPart};
 use crate::results::Readings;
 use crate::scalar::{LANES, Lanes};
 use crate::scenario::side_by_side;
-use crate::simulation::{InputError, Limit, RunError, Simulation};
+use crate::simulation::{InputError, Limit, OPERATION_STEP, RunError, Simulation};
 use crate::state::State;
 
 /// Numbers of a group's copies, one copy after another.
@@ -27,7 +27,7 @@ pub(super) struct Group {
     /// Indices of the inputs in d, and for each copy the bounds of its inputs.
     inputs: Vec<usize>,
     bounds: Vec<Vec<[f64; 2]>>,
-    /// Requested columns, then the time and the columns of the limits.
+    /// Requested columns, then the time and the columns of the limits; last the step of the operation if a limit is of steps.
     columns: Vec<String>,
     asked: usize,
     keeps_ledger: bool,
@@ -74,9 +74,12 @@ impl Group {
         let table = alone[0].inputs();
         let place = |name: &String| table.iter().position(|input| input.name == *name);
         let inputs = asked.inputs.iter().filter_map(place).collect();
-        let watched = members[0].setup.limits.iter().filter(|_| asked.limits).map(|limit| limit.column.clone());
+        let limits = &members[0].setup.limits;
+        let watched = limits.iter().filter(|_| asked.limits).map(|limit| limit.column.clone());
         let time = asked.limits.then(|| "time".to_owned());
-        let columns: Vec<String> = asked.columns.iter().cloned().chain(time).chain(watched).collect();
+        let by_steps = asked.limits && limits.iter().any(|limit| !limit.steps.is_empty());
+        let step = by_steps.then(|| OPERATION_STEP.to_owned());
+        let columns: Vec<String> = asked.columns.iter().cloned().chain(time).chain(watched).chain(step).collect();
         let readings = alone[0].readings(&columns);
         let mut group = Self {
             in_lanes: vec![false; alone.len()],
@@ -313,11 +316,13 @@ impl Group {
         if !self.watches {
             return Status::Running;
         }
-        let (time_s, values) = (self.read[self.asked], &self.read[self.asked + 1..]);
-        let limits = self.members[k].setup.limits.iter().zip(values);
-        let mut beyond = limits
-            .enumerate()
-            .filter(|(_, (limit, value))| time_s >= limit.from_s && limit.margin(**value / limit.unit.1) < 0.0);
+        let (limits, time_s) = (&self.members[k].setup.limits, self.read[self.asked]);
+        let (values, step) = self.read[self.asked + 1..].split_at(limits.len());
+        let mut beyond = limits.iter().zip(values).enumerate().filter(|(_, (limit, value))| {
+            limit.is_of_each_row()
+                && limit.applies(time_s, step.first().copied())
+                && limit.margin(**value / limit.unit.1) < 0.0
+        });
         beyond.next().map_or(Status::Running, |(i, _)| Status::BeyondLimit(i))
     }
 }

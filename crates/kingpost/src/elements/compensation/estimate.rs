@@ -26,9 +26,9 @@ pub struct Prediction<S = f64> {
     /// k and the rate of x below k, so that neither a bias nor the slow noise of v is integrated (Fossen, 2021, sec.
     /// 13.2).
     pub correction: f64,
-    /// Weights of the velocity to command to each drive, for the linear and for the angular part of the measured
-    /// velocity.
-    pub velocity: Vec<[Vec<S>; 2]>,
+    /// Weights of each result, for the linear and for the angular part of the measured velocity: the velocity to command to
+    /// each drive, or the height at each lead time.
+    pub results: Vec<[Vec<S>; 2]>,
     /// Weights of the position, for the linear and for the angular part of the measured velocity. If the second is
     /// absent, the position due to the body's rotation is measured: with a lever arm that changes with the motion, the
     /// integral of its velocity would drift.
@@ -43,8 +43,8 @@ pub struct Prediction<S = f64> {
 /// A point's motion along an axis.
 #[derive(Clone, Debug)]
 pub struct Estimate<S> {
-    /// Velocity of the point from the ship's motion, for each drive, m/s.
-    pub velocities: Vec<S>,
+    /// The [results](Prediction::results) of the prediction; without one, the measured velocity from the ship's motion, m/s.
+    pub results: Vec<S>,
     /// Its position, m.
     pub position: S,
 }
@@ -88,9 +88,9 @@ impl<S: Scalar> Estimator<S> {
             // A held velocity would move the load away: without its sensor the compensation commands the position only.
             let velocity = measured.velocities[0][axis] + measured.velocities[1][axis];
             let velocity = if measured.delivers { velocity } else { S::ZERO };
-            return Estimate { velocities: vec![velocity], position };
+            return Estimate { results: vec![velocity], position };
         };
-        let mut velocities = vec![S::ZERO; prediction.velocity.len()];
+        let mut results = vec![S::ZERO; prediction.results.len()];
         let ahead = if measured.delivers { prediction.age * measured.velocities[1][axis] } else { S::ZERO };
         let is_measured = prediction.position.len() == ANGULAR;
         let mut predicted = if is_measured { measured.positions[ANGULAR][axis] + ahead } else { numbers[BY_CRANE] };
@@ -98,14 +98,14 @@ impl<S: Scalar> Estimator<S> {
             let sample = self.corrected(prediction, measured, (bank, axis, begins), numbers);
             let states = &mut numbers[BANKS + bank * FilterBank::STATES..][..FilterBank::STATES];
             prediction.bank.take(states, sample);
-            for (velocity, weights) in velocities.iter_mut().zip(&prediction.velocity) {
-                *velocity += FilterBank::read(&weights[bank], states);
+            for (result, weights) in results.iter_mut().zip(&prediction.results) {
+                *result += FilterBank::read(&weights[bank], states);
             }
             predicted += prediction.position.get(bank).map_or(S::ZERO, |weights| FilterBank::read(weights, states));
         }
         numbers[BY_CRANE] += S::constant(self.period_s) * measured.by_crane[axis];
         let exact = matches!(self.measurement, Measurement::Ideal);
-        Estimate { velocities, position: if exact { position } else { predicted } }
+        Estimate { results, position: if exact { position } else { predicted } }
     }
 
     /// Returns the measured velocity, corrected by the measured position; while the sensor is out, the last one,
@@ -141,7 +141,7 @@ impl<S: Scalar> Estimator<S> {
 impl<S: Copy> Estimate<S> {
     /// Returns the velocity for a drive; without a prediction it is the same for all drives.
     pub fn velocity_for(&self, drive: usize) -> S {
-        self.velocities.get(drive).copied().unwrap_or(self.velocities[0])
+        self.results.get(drive).copied().unwrap_or(self.results[0])
     }
 }
 

@@ -4,6 +4,7 @@ pub(crate) mod assembly;
 mod chain;
 mod estimate;
 pub(crate) mod fields;
+mod forecast;
 mod heave;
 mod hoist;
 mod lever;
@@ -14,6 +15,7 @@ mod three_axis;
 
 pub use chain::{DrivenChain, DrivenJoint};
 pub use estimate::{Estimate, Estimator, Prediction};
+pub use forecast::{HeaveForecast, SCORED};
 pub use heave::HeaveCompensation;
 pub use hoist::{Hoist, LetOut, MovedSheaves};
 pub use measurement::{Measured, Measurement};

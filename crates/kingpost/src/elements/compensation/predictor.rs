@@ -124,9 +124,7 @@ impl FilterBank {
         let mut normal = self.penalties(size);
         let mut right = vec![S::ZERO; N];
         let mut matrix: Vec<Vec<S>> = normal.iter().map(|row| row.iter().map(|x| S::constant(*x)).collect()).collect();
-        let [lowest, highest] = self.band.ends();
-        for k in 0..FREQUENCIES {
-            let frequency = lowest + (highest - lowest) * k as f64 / (FREQUENCIES - 1) as f64;
+        for frequency in self.frequencies() {
             let ([real, imaginary], response) = (wanted(frequency), self.response(frequency));
             let weight = S::constant(1.0 / FREQUENCIES as f64) / (real * real + imaginary * imaginary);
             for i in 0..N {
@@ -142,6 +140,34 @@ impl FilterBank {
         let trace: f64 = (0..N).map(|i| normal[i][i]).sum();
         (0..N).for_each(|i| matrix[i][i] += S::constant(REGULAR * trace));
         solve(matrix, right)
+    }
+
+    /// Returns the mean of |F(w) / D(w) - 1|^2 over the band, for the filter F of these weights and a desired response D: the
+    /// variance of the error over that of the result, if the latter is spread evenly over the band.
+    pub fn error_share(&self, weights: &[f64], wanted: impl Fn(f64) -> [f64; 2]) -> f64 {
+        let miss = |frequency: f64| {
+            let each = self.response(frequency).into_iter().zip(weights);
+            let found = each.fold([0.0; 2], |found, (response, weight)| sum(found, scaled(response, *weight)));
+            let [real, imaginary] = over(found, wanted(frequency));
+            (real - 1.0) * (real - 1.0) + imaginary * imaginary
+        };
+        self.frequencies().map(miss).sum::<f64>() / FREQUENCIES as f64
+    }
+
+    /// Returns the factor on a velocity from one sample to the next while the sensor is out: it decays at the middle frequency.
+    pub fn fades(&self) -> f64 {
+        libm::exp(-self.band.sampling_period_s * self.band.middle_rad_s())
+    }
+
+    /// Returns the [frequency](PeriodBand::correction_rad_s) below which measured positions correct measured velocities, rad/s.
+    pub fn correction_rad_s(&self) -> f64 {
+        self.band.correction_rad_s()
+    }
+
+    /// Returns the frequencies of the band at which the weights are fitted, rad/s.
+    fn frequencies(&self) -> impl Iterator<Item = f64> + use<> {
+        let [lowest, highest] = self.band.ends();
+        (0..FREQUENCIES).map(move |k| lowest + (highest - lowest) * k as f64 / (FREQUENCIES - 1) as f64)
     }
 
     /// Returns the frequency response of each state: real and imaginary part.

@@ -5,6 +5,7 @@ use crate::elements::operation::{Bound, ColumnRange, Condition, Move, OperationS
 use crate::elements::{Input, Layout};
 use crate::scenario::assembly::FieldError;
 use crate::scenario::assembly::columns::{self, Column};
+use crate::scenario::assembly::wires;
 use crate::scenario::leaf::Quantity;
 use crate::scenario::schema::{self, Scenario};
 use crate::scenario::wording::one_of_with_hint;
@@ -169,7 +170,33 @@ impl Reader<'_> {
                 let part = self.condition(&format!("{field}.count.condition"), &given.condition, kept)?;
                 Condition::Count(given.times, place, Box::new(part))
             }
+            schema::Condition::Lull(lull) => {
+                let [ready, bound] = self.forecast(&format!("{field}.lull.forecast"), &lull.forecast)?;
+                let below_m = Some(Bound::Number(lull.below_m.get()));
+                let range = |(column, place), above, below, unit: &str| {
+                    Condition::Column(ColumnRange { column, place, above, below, unit: (unit.to_owned(), 1.0) })
+                };
+                Condition::All(vec![
+                    range(ready, Some(Bound::Number(0.0)), None, "1"),
+                    range(bound, None, below_m, "m"),
+                ])
+            }
         })
+    }
+
+    /// Returns two columns of a forecast: whether it is ready, and its bound.
+    fn forecast(&mut self, field: &str, name: &str) -> Result<[(String, usize); 2], FieldError> {
+        let columns = ["forecast_ready", "predicted_heave_bound"].map(|variable| format!("{name}.{variable}"));
+        if !self.known.iter().any(|known| known.name == columns[1]) {
+            let forecasts: Vec<&str> =
+                self.known.iter().filter_map(|known| known.name.strip_suffix(".predicted_heave_bound")).collect();
+            let allowed = wires::allowed(&forecasts, name, "a controller of the kind heave_forecast that is enabled");
+            return Err(FieldError::new(field, name, allowed));
+        }
+        Ok(columns.map(|column| {
+            let place = self.place(&column);
+            (column, place)
+        }))
     }
 
     /// Returns the index of a column among those that the operation reads.

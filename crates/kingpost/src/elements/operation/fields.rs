@@ -2,7 +2,7 @@
 
 use kingpost_derive::fields;
 
-use crate::scenario::schema::{ColumnName, NonNegative, Positive, SignalName, yes};
+use crate::scenario::schema::{ColumnName, Name, NonNegative, Positive, SignalName, yes};
 
 /// Named steps, one after another: each step moves levers and set-points, and lasts until its condition holds. A user
 /// cannot move the inputs that the operation sets.
@@ -62,6 +62,17 @@ pub enum Condition {
     Holds(Box<HoldingCondition>),
     /// A condition has begun to hold a number of times: at the third touch.
     Count(Box<CountedCondition>),
+    /// The heave stays below a bound for the next seconds, by a forecast.
+    Lull(Lull),
+}
+
+/// A lull: the bound of a forecast of the heave is low. Its error counts: no lull before the forecast is ready.
+#[fields]
+pub struct Lull {
+    /// The controller of the kind `heave_forecast`. Its `horizon_s` is the length of the lull.
+    pub forecast: Name,
+    /// The heave, m: `predicted_heave_bound` is below it.
+    pub below_m: Positive,
 }
 
 /// A condition that holds without a break for a time.
@@ -123,6 +134,9 @@ pub struct Limit {
     /// Names of the steps of the operation in which the limit applies; without them, in all and without an operation.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub steps: Vec<String>,
+    /// Percentage of the rows of the results that must be within the bounds, above 0 and at most 100: 95 allows values beyond a
+    /// bound for 5 % of the time. Without it, all rows.
+    pub percentile: Option<Positive>,
 }
 
 /// No moves.

@@ -22,7 +22,11 @@ pub fn of<S: Quantity>(scenario: &Scenario<S>, setup: &Setup<S>) -> Result<Vec<L
             return Err(FieldError::new(field("until_s"), until_s, format!("more than from_s, {from_s} s")));
         }
         let steps = steps(scenario, &given.steps, &field)?;
-        Ok(Limit { name, column, unit, bounds, from_s, until_s, steps })
+        let percentile = given.percentile.map_or(100.0, |percentile| percentile.get());
+        if percentile > 100.0 {
+            return Err(FieldError::new(field("percentile"), percentile, "above 0 and at most 100"));
+        }
+        Ok(Limit { name, column, unit, bounds, from_s, until_s, steps, percentile })
     };
     scenario.limits.iter().filter(|(_, limit)| limit.enabled).map(one).collect()
 }

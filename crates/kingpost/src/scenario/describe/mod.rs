@@ -195,6 +195,8 @@ pub struct LimitDescription {
     pub until_s: Option<f64>,
     /// Numbers of the steps of the operation in which it applies, from 1; none if it applies in all.
     pub steps: Vec<f64>,
+    /// Percentage of the rows that must be within the bounds; 100 for all.
+    pub percentile: f64,
 }
 
 /// A parameter of the scenario, with its value.
@@ -346,10 +348,10 @@ fn describe_point(model: &Model, place: &Attachment) -> PointDescription {
 }
 
 fn describe_limit(
-    Limit { name, column, unit: (unit, unit_si), bounds: [at_least, at_most], from_s, until_s, steps }: Limit,
+    Limit { name, column, unit: (unit, unit_si), bounds: [at_least, at_most], from_s, until_s, steps, percentile }: Limit,
 ) -> LimitDescription {
     let until_s = until_s.is_finite().then_some(until_s);
-    LimitDescription { name, column, unit, unit_si, at_least, at_most, from_s, until_s, steps }
+    LimitDescription { name, column, unit, unit_si, at_least, at_most, from_s, until_s, steps, percentile }
 }
 
 fn describe_parameter((parameter, value): (&Parameter, Option<ParameterValue>)) -> ParameterDescription {

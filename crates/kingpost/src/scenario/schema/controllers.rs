@@ -3,8 +3,8 @@
 use kingpost_derive::fields;
 
 use crate::scenario::schema::{
-    DriveFunction, HeaveCompensation, InputShaper, PlatformCompensation, Policy, Selector, StateFeedback,
-    ThreeAxisCompensation,
+    DriveFunction, HeaveCompensation, HeaveForecast, InputShaper, PlatformCompensation, Policy, Selector,
+    StateFeedback, ThreeAxisCompensation,
 };
 
 /// Controller between a command, of a user or of the operation, and an input. Its own command is an input with its
@@ -28,4 +28,6 @@ pub enum Controller<S = f64> {
     ThreeAxisCompensation(ThreeAxisCompensation<S>),
     /// Driven joints below the pedestal keep it level and at its height.
     PlatformCompensation(PlatformCompensation<S>),
+    /// Predicts the heave of a point, for operations that wait for a lull; it sets no input.
+    HeaveForecast(HeaveForecast<S>),
 }

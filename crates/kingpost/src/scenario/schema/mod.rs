@@ -25,6 +25,7 @@ mod waves;
 use indexmap::IndexMap;
 
 pub use crate::elements::clearance::fields::{AirGap, Clearance, ClearanceFrom, ClearanceShape};
+pub use crate::elements::compensation::fields::forecast::HeaveForecast;
 pub use crate::elements::compensation::fields::heave::{HeaveCompensation, HeavePrediction};
 pub use crate::elements::compensation::fields::motion::{
     CompensationDrive, PlatformCompensation, ThreeAxisCompensation,

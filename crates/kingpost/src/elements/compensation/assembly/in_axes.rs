@@ -58,7 +58,7 @@ impl<S: Quantity> Assemble<S> for schema::PlatformCompensation<S> {
             return Ok(Vec::new());
         }
         let pin = schema::Pin { body: self.body.clone(), position_m: self.position_m };
-        let top = attachment(at.scenario, at.model, &lead, &pin)?;
+        let top = attachment(at.scenario, at.model, &format!("{lead}.position_m"), &pin)?;
         let joints = Joints { lead: &lead, given: &self.joints, least: 3, moves: &self.body };
         let drives = joints.drives(at.elements)?;
         let chain = DrivenChain { joints: joints.below(at.model, top.link, &drives)?, damped_below: S::ZERO };

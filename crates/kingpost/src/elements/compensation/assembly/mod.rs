@@ -1,5 +1,6 @@
 //! Heave compensation, and the parts common to all compensations.
 
+pub(crate) mod forecast;
 pub(crate) mod hoists;
 pub(crate) mod in_axes;
 
@@ -95,6 +96,14 @@ impl<S: Quantity> MotionUnit<S> {
     }
 }
 
+impl<S> MotionUnit<S> {
+    /// Returns the measurement by this unit.
+    fn measurement(self) -> Measurement<S> {
+        let Self { name, place, horizontal, has_status, .. } = self;
+        Measurement::Unit { name, place, horizontal, has_status }
+    }
+}
+
 impl<S: Quantity> From<&MotionReferenceUnit<S>> for MotionUnit<S> {
     fn from(unit: &MotionReferenceUnit<S>) -> Self {
         // An inertial unit with a satellite receiver has no high-pass filter.
@@ -140,12 +149,7 @@ pub fn estimator<S: Quantity>(
     let responses: Vec<S> = drives.iter().map(|drive| drive.response_time).collect();
     let field = format!("{lead}.prediction");
     let prediction = source.prediction.map(|with| prediction(&field, with, period_s, (unit.as_ref(), &responses)));
-    let measurement = unit.map_or(Measurement::Ideal, |unit| Measurement::Unit {
-        name: unit.name,
-        place: unit.place,
-        horizontal: unit.horizontal,
-        has_status: unit.has_status,
-    });
+    let measurement = unit.map_or(Measurement::Ideal, MotionUnit::measurement);
     Ok(Estimator { measurement, prediction: prediction.transpose()?, period_s })
 }
 
@@ -155,21 +159,8 @@ fn prediction<S: Quantity>(
     period_s: f64,
     (unit, responses_s): (Option<&MotionUnit<S>>, &[S]),
 ) -> Result<Prediction<S>, FieldError> {
-    let (shortest, longest) = (given.shortest_period_s.get(), given.longest_period_s.get());
-    if shortest < 4.0 * period_s {
-        let allowed = format!("at least four times period_s, {} s", 4.0 * period_s);
-        return Err(FieldError::new(format!("{field}.shortest_period_s"), shortest, allowed));
-    }
-    if longest <= shortest || longest > MOST_SAMPLES * period_s {
-        let allowed = format!("above shortest_period_s, {shortest} s, and at most {} s", MOST_SAMPLES * period_s);
-        return Err(FieldError::new(format!("{field}.longest_period_s"), longest, allowed));
-    }
-    let band = PeriodBand {
-        shortest_period_s: shortest,
-        longest_period_s: longest,
-        noise_share: given.noise_share.get(),
-        sampling_period_s: period_s,
-    };
+    let noise_share = given.noise_share.get();
+    let band = band(field, [given.shortest_period_s.get(), given.longest_period_s.get()], noise_share, period_s)?;
     let bank = FilterBank::new(band);
     let age = unit.map_or(0.0, |unit| unit.age_s);
     let delay = S::constant(age) + given.extra_delay_s.get();
@@ -183,13 +174,32 @@ fn prediction<S: Quantity>(
     let both = |of: Dynamics<S>| [of, Dynamics { high_pass: None, ..of }];
     let weights = |of: Dynamics<S>| both(of).map(|of| bank.velocity_weights(|frequency| of.velocity(frequency)));
     Ok(Prediction {
-        velocity: responses_s.iter().map(|response_s| weights(of_drive(response_s))).collect(),
+        results: responses_s.iter().map(|response_s| weights(of_drive(response_s))).collect(),
         position: both(position).map(|of| bank.position_weights(|frequency| of.position(frequency))).to_vec(),
         age: S::constant(age),
-        fades: libm::exp(-period_s * band.middle_rad_s()),
-        correction: if unit.is_some() { band.correction_rad_s() } else { 0.0 },
+        fades: bank.fades(),
+        correction: if unit.is_some() { bank.correction_rad_s() } else { 0.0 },
         bank,
     })
+}
+
+/// Returns the band of a prediction between two periods, s, which must suit the sampling period.
+pub fn band(
+    field: &str,
+    [shortest_period_s, longest_period_s]: [f64; 2],
+    noise_share: f64,
+    period_s: f64,
+) -> Result<PeriodBand, FieldError> {
+    if shortest_period_s < 4.0 * period_s {
+        let allowed = format!("at least four times period_s, {} s", 4.0 * period_s);
+        return Err(FieldError::new(format!("{field}.shortest_period_s"), shortest_period_s, allowed));
+    }
+    if longest_period_s <= shortest_period_s || longest_period_s > MOST_SAMPLES * period_s {
+        let most_s = MOST_SAMPLES * period_s;
+        let allowed = format!("above shortest_period_s, {shortest_period_s} s, and at most {most_s} s");
+        return Err(FieldError::new(format!("{field}.longest_period_s"), longest_period_s, allowed));
+    }
+    Ok(PeriodBand { shortest_period_s, longest_period_s, noise_share, sampling_period_s: period_s })
 }
 
 /// Largest number of samples in the longest period: it limits the sums that give the weights.

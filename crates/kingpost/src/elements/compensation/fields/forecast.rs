@@ -1,0 +1,67 @@
+//! Fields of a forecast of the heave.
+
+use kingpost_derive::fields;
+
+use crate::scenario::leaf::Leaf;
+use crate::scenario::schema::{Name, NonNegative, Positive, SetsInputs, yes};
+
+/// Predicts the heave of a point, such as the crane's tip, for the next seconds, from the past motion that a sensor measures. A
+/// step of an operation waits for a lull with it. Its outputs are `predicted_heave`, `predicted_heave_error` and
+/// `predicted_heave_bound` (m) and `forecast_ready`. It sets no input.
+#[fields]
+pub struct HeaveForecast<S = f64> {
+    /// Whether the element acts.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// The body of the point.
+    pub body: Name,
+    /// The point, in the body's drawing frame, m.
+    #[serde(default)]
+    pub position_m: [S; 3],
+    /// The motion reference unit or inertial unit that measures the motion.
+    pub sensor: Name,
+    /// Time between two samples, s; at least simulation.step_s.
+    pub period_s: Positive,
+    /// How far ahead it predicts, s.
+    #[serde(default = "horizon")]
+    pub horizon_s: Positive,
+    /// Shortest period of the heave, s; at least four times period_s. A narrow band of periods, as of swell, can be predicted for
+    /// longer than a wide one.
+    #[serde(default = "shortest")]
+    pub shortest_period_s: Positive,
+    /// Longest period, s; longer than the shortest.
+    #[serde(default = "longest")]
+    pub longest_period_s: Positive,
+    /// Standard deviation of the noise in a measured velocity over that of the velocity.
+    #[serde(default = "noise_share")]
+    pub noise_share: Positive,
+    /// Standard deviations of its error that the bound adds to the predicted heave.
+    #[serde(default = "margin::<S>")]
+    pub margin: NonNegative<S>,
+}
+
+fn horizon() -> Positive {
+    Positive::literal(20.0)
+}
+
+fn shortest() -> Positive {
+    Positive::literal(4.0)
+}
+
+fn longest() -> Positive {
+    Positive::literal(16.0)
+}
+
+fn noise_share() -> Positive {
+    Positive::literal(0.03)
+}
+
+fn margin<S: Leaf>() -> NonNegative<S> {
+    NonNegative::literal(2.0)
+}
+
+impl<S> SetsInputs for HeaveForecast<S> {
+    fn targets(&self) -> Vec<(String, &str)> {
+        Vec::new()
+    }
+}
