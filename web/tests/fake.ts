@@ -103,6 +103,7 @@ export class FakeEngine implements Engine {
       sea: null,
       hulls: [],
       limits: [],
+      view: { camera: "", plots: [] },
       live_settings: [],
       parameters: [
         { name: "load", label: "Load", unit: "", kind: "boolean", value: this.overrides.load ?? false, range: null, choices: null, live: false },

@@ -36,6 +36,7 @@ const MODEL: ModelInfo = {
   hulls: [],
   objects_in_water: [],
   limits: [],
+  view: { camera: "", plots: [] },
   live_settings: [],
   gravity_m_s2: 0,
   parameters: [],

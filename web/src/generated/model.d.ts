@@ -111,6 +111,7 @@ export interface Description {
    * The limits on columns of the results.
    */
   limits: LimitDescription[];
+  view: ViewDescription;
   /**
    * The parameters with their values.
    */
@@ -700,6 +701,20 @@ export interface LimitDescription {
    * Percentage of the rows that must be within the bounds; 100 for all.
    */
   percentile: number;
+}
+/**
+ * Camera and plots at first.
+ */
+export interface ViewDescription {
+  /**
+   * Name of the camera, or the six coordinates of the eye and of its target relative to the first body, m; empty if the view
+   * chooses it.
+   */
+  camera: string;
+  /**
+   * The columns of each plot; none if the view chooses them.
+   */
+  plots: string[][];
 }
 /**
  * A parameter of the scenario, with its value.

@@ -4306,6 +4306,19 @@ export type Condition =
   | {
       lull: Lull;
     };
+/**
+ * Viewpoint of the camera.
+ */
+export type Camera =
+  | "free"
+  | "load"
+  | "cab"
+  | "bridge"
+  | "top"
+  | "section"
+  | {
+      place: CameraPlace;
+    };
 
 /**
  * One description of a run: bodies and joints, the forces and drives that act on them, and the settings.
@@ -4395,6 +4408,10 @@ export interface Scenario {
   limits?: {
     [k: string]: Limit;
   };
+  /**
+   * Camera and plots at first.
+   */
+  view?: View | null;
 }
 /**
  * A parameter that a user can change. Command line, Python and the app set the fields in `writes` by its name.
@@ -6860,8 +6877,12 @@ export interface HeaveForecast {
    */
   horizon_s?: number;
   /**
-   * Shortest period of the heave, s; at least four times period_s. A narrow band of periods, as of swell, can be predicted for
-   * longer than a wide one.
+   * Peak period of the heave, s, mostly that of the waves: the filters suit a JONSWAP spectrum with it. Without it, they suit a
+   * heave that is spread evenly over its periods, which is foreseen for a shorter time.
+   */
+  peak_period_s?: number | null;
+  /**
+   * Shortest period of the heave, s; at least four times period_s. The filters amplify heave of other periods.
    */
   shortest_period_s?: number;
   /**
@@ -7116,4 +7137,36 @@ export interface Limit {
    * bound for 5 % of the time. Without it, all rows.
    */
   percentile?: number | null;
+}
+/**
+ * Camera and plots with which the app and figures open the scenario; a user can change them.
+ */
+export interface View {
+  /**
+   * The camera; without it, the view chooses one.
+   */
+  camera?: Camera | null;
+  /**
+   * The columns of each plot over time, by their names in the table of results; without them, the view chooses some.
+   */
+  plots?: string[][];
+}
+/**
+ * Place of a camera relative to the first body, along the axes of the world.
+ */
+export interface CameraPlace {
+  /**
+   * Position of the eye, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  eye_m: [number, number, number];
+  /**
+   * Position that is in the middle of the picture, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  target_m: [number, number, number];
 }

@@ -46,9 +46,11 @@ export class Figures {
     return this.all.find(({ lines }) => lines.length === ids.length && lines.every(({ id }, i) => id === ids[i]));
   }
 
-  /** Returns the default lines of each plot: motions of bodies, and forces with limits. */
+  /** Returns the default lines of each plot: those of the scenario, or motions of bodies, and forces with limits. */
   defaults(): string[][] {
-    const { hulls, bodies } = this.model;
+    const { hulls, bodies, view } = this.model;
+    const chosen = view.plots.map((plot) => plot.filter((id) => this.byId.has(id))).filter((plot) => plot.length > 0);
+    if (chosen.length > 0) return chosen;
     const moving = [...hulls.map(({ body }) => body), ...bodies.filter(({ floats }) => floats).map(({ name }) => name)].filter((body) => !this.isHeld(body));
     const [body] = moving;
     if (body === undefined) return [this.joints("joint_velocity", ""), this.joints("joint_position", "")].map(idsOf).map((ids) => (ids.length > 0 ? ids : idsOf(this.rates(bodies[0].name))));

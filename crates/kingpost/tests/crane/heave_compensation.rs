@@ -135,7 +135,13 @@ fn the_residual_of_a_sinusoid_without_prediction_agrees_with_the_formula() {
 }
 
 fn band() -> PeriodBand {
-    PeriodBand { shortest_period_s: 4.0, longest_period_s: 16.0, noise_share: 0.03, sampling_period_s: 0.05 }
+    PeriodBand {
+        shortest_period_s: 4.0,
+        longest_period_s: 16.0,
+        noise_share: 0.03,
+        sampling_period_s: 0.05,
+        peak_period_s: None,
+    }
 }
 
 /// Returns the frequency response of a filter.

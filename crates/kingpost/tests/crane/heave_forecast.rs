@@ -98,8 +98,13 @@ fn two_sines_in_the_band_are_foreseen_by_the_response_of_the_filters() {
     // Ready after 2 longest periods, the horizon and 4 longest periods.
     assert_eq!(found.time_s[0], 2.0 * 13.0 + horizon_s + 4.0 * 13.0);
     // Of each sine the forecast at a lead misses |F / D - 1|, at every lead, with the unit's age of 0.1 s in D.
-    let band =
-        PeriodBand { shortest_period_s: 8.0, longest_period_s: 13.0, noise_share: 0.03, sampling_period_s: PERIOD_S };
+    let band = PeriodBand {
+        shortest_period_s: 8.0,
+        longest_period_s: 13.0,
+        noise_share: 0.03,
+        sampling_period_s: PERIOD_S,
+        peak_period_s: None,
+    };
     let bank = FilterBank::new(band);
     let misses = |lead_s: f64, period_s: f64| {
         let height = Dynamics { high_pass: None, delay: 0.1 + lead_s, lag: 0.0 };
@@ -206,6 +211,7 @@ fn mistakes_are_named_with_what_is_allowed() {
         ("horizon_s", json!(0.5), "allowed: 1 s to 250 s, 4 to 1000 times period_s"),
         ("shortest_period_s", json!(0.9), "at least four times period_s, 1 s"),
         ("longest_period_s", json!(8), "above shortest_period_s, 8 s"),
+        ("peak_period_s", json!(14), "8 to 13 s, the shortest and the longest period"),
         ("body", json!("quay"), "found quay, allowed: one of deck_0, deck_1, cart"),
     ] {
         let error = built(&decks(&BEATS, ""), &[(&format!("{lull}{path}"), value)]).expect_err("a mistake");

@@ -21,3 +21,4 @@ mod scenario_parameters;
 mod scenario_properties;
 mod scenario_schema;
 mod studies;
+mod views;

@@ -37,7 +37,7 @@ pub struct HeaveForecast<S = f64> {
     pub margin: S,
     /// Samples that its filters need to settle, and samples after which it is ready.
     pub settles: [i64; 2],
-    /// Share of the variance of the heave, spread evenly over the band, that its error has at the horizon.
+    /// Share of the variance of the heave, with the spectrum of its filters, that its error has at the horizon.
     pub error_share: f64,
 }
 
@@ -124,8 +124,8 @@ impl<S: Scalar> Element<S> for HeaveForecast<S> {
         let horizon_s = self.leads_s.last()?;
         (self.error_share > LITTLE_USE).then(|| {
             format!(
-                "foresees little: {} s ahead its error has {} % of the standard deviation of a heave that is spread evenly over its \
-                 band of periods; a narrower band or a nearer horizon_s is foreseen better",
+                "foresees little: {} s ahead its error has {} % of the standard deviation of the heave that its periods describe; \
+                 peak_period_s or a nearer horizon_s lowers it",
                 significant(*horizon_s, 3),
                 significant(100.0 * libm::sqrt(self.error_share), 2)
             )

@@ -1,6 +1,7 @@
 //! A filter bank of oscillators that predicts a motion in waves and inverts the dynamics of its sensor.
 
 use crate::scalar::Scalar;
+use crate::sea::waves::jonswap_shape;
 
 /// The recursions of the bank, for samples y_k of a velocity at the period T_s:
 ///
@@ -36,6 +37,8 @@ pub struct PeriodBand {
     pub noise_share: f64,
     /// T_s, s.
     pub sampling_period_s: f64,
+    /// Peak period of the motion, s, whose spectrum is then that of JONSWAP; `None` if it is spread evenly over the band.
+    pub peak_period_s: Option<f64>,
 }
 
 /// Dynamics of a signal's sensor and of the drive that receives the result.
@@ -55,6 +58,8 @@ const OSCILLATORS: usize = 8;
 const FREQUENCIES: usize = 240;
 /// Decay after which the impulse response is truncated: a factor of e to the power of minus this number.
 const DECAYS: f64 = 12.0;
+/// Peak enhancement of a motion with a peak period: that of the mean JONSWAP spectrum.
+const GAMMA: f64 = 3.3;
 /// Diagonal added to the normal equations, as a share of their trace: rounding.
 const REGULAR: f64 = 1e-13;
 
@@ -103,7 +108,7 @@ impl FilterBank {
     /// D at the frequencies w of the band:
     ///
     /// ```text
-    /// mean of |F(w) / D(w) - 1|^2  +  F(0)^2  +  (noise share w_m)^2 times the power of F n / (s + c)  ->  minimum
+    /// mean of |F(w) / D(w) - 1|^2 over the spectrum of the positions  +  F(0)^2  +  (noise share w_m)^2 times the power of F n / (s + c)  ->  minimum
     /// ```
     ///
     /// with white noise n of variance 1 in each sample, c = 2 pi / T_longest, w_m = 2 pi over the geometric mean of
@@ -124,16 +129,16 @@ impl FilterBank {
         let mut normal = self.penalties(size);
         let mut right = vec![S::ZERO; N];
         let mut matrix: Vec<Vec<S>> = normal.iter().map(|row| row.iter().map(|x| S::constant(*x)).collect()).collect();
-        for frequency in self.frequencies() {
+        for (frequency, share) in self.frequencies() {
             let ([real, imaginary], response) = (wanted(frequency), self.response(frequency));
-            let weight = S::constant(1.0 / FREQUENCIES as f64) / (real * real + imaginary * imaginary);
+            let weight = S::constant(share) / (real * real + imaginary * imaginary);
             for i in 0..N {
                 let [re, im] = response[i];
                 right[i] += weight * (S::constant(re) * real + S::constant(im) * imaginary);
                 for j in 0..=i {
                     let product = re * response[j][0] + im * response[j][1];
                     matrix[i][j] += weight * S::constant(product);
-                    normal[i][j] += product / FREQUENCIES as f64;
+                    normal[i][j] += product * share;
                 }
             }
         }
@@ -142,16 +147,16 @@ impl FilterBank {
         solve(matrix, right)
     }
 
-    /// Returns the mean of |F(w) / D(w) - 1|^2 over the band, for the filter F of these weights and a desired response D: the
-    /// variance of the error over that of the result, if the latter is spread evenly over the band.
+    /// Returns the mean of |F(w) / D(w) - 1|^2 over the spectrum, for the filter F of these weights and a desired response D: the
+    /// variance of the error over that of the result.
     pub fn error_share(&self, weights: &[f64], wanted: impl Fn(f64) -> [f64; 2]) -> f64 {
-        let miss = |frequency: f64| {
+        let miss = |(frequency, share): (f64, f64)| {
             let each = self.response(frequency).into_iter().zip(weights);
             let found = each.fold([0.0; 2], |found, (response, weight)| sum(found, scaled(response, *weight)));
             let [real, imaginary] = over(found, wanted(frequency));
-            (real - 1.0) * (real - 1.0) + imaginary * imaginary
+            share * ((real - 1.0) * (real - 1.0) + imaginary * imaginary)
         };
-        self.frequencies().map(miss).sum::<f64>() / FREQUENCIES as f64
+        self.frequencies().into_iter().map(miss).sum()
     }
 
     /// Returns the factor on a velocity from one sample to the next while the sensor is out: it decays at the middle frequency.
@@ -164,10 +169,18 @@ impl FilterBank {
         self.band.correction_rad_s()
     }
 
-    /// Returns the frequencies of the band at which the weights are fitted, rad/s.
-    fn frequencies(&self) -> impl Iterator<Item = f64> + use<> {
+    /// Returns the frequencies of the band at which the weights are fitted, rad/s, each with its share of the variance.
+    fn frequencies(&self) -> Vec<(f64, f64)> {
         let [lowest, highest] = self.band.ends();
-        (0..FREQUENCIES).map(move |k| lowest + (highest - lowest) * k as f64 / (FREQUENCIES - 1) as f64)
+        let frequencies = (0..FREQUENCIES).map(|k| lowest + (highest - lowest) * k as f64 / (FREQUENCIES - 1) as f64);
+        let spread = |frequency: f64| {
+            self.band
+                .peak_period_s
+                .map_or(1.0, |period_s| jonswap_shape(frequency * period_s / core::f64::consts::TAU, GAMMA))
+        };
+        let all: Vec<(f64, f64)> = frequencies.map(|frequency| (frequency, spread(frequency))).collect();
+        let whole: f64 = all.iter().map(|(_, density)| density).sum();
+        all.into_iter().map(|(frequency, density)| (frequency, density / whole)).collect()
     }
 
     /// Returns the frequency response of each state: real and imaginary part.

@@ -18,6 +18,7 @@ pub(crate) mod rigid_bodies;
 pub(crate) mod sea_spectra;
 pub(crate) mod station;
 pub(crate) mod still_water;
+mod view;
 pub(crate) mod watchers;
 pub(crate) mod wave_motion;
 pub(crate) mod waves;
@@ -131,6 +132,7 @@ fn open<S: Quantity>(scenario: &Scenario<S>) -> Result<Setup<S>, FieldError> {
     let mut setup = Setup { model, world, elements, watchers, limits, wires, settings, q, v, fingerprint: 0 };
     operation::add(scenario, &mut setup, controllers)?;
     setup.limits = limits::of(scenario, &setup)?;
+    view::check(scenario, &setup)?;
     lines::check_start(&setup)?;
     Ok(setup)
 }

@@ -64,6 +64,8 @@ pub struct Description {
     pub objects_in_water: Vec<ObjectInWater>,
     /// The limits on columns of the results.
     pub limits: Vec<LimitDescription>,
+    /// Camera and plots at first.
+    pub view: ViewDescription,
     /// The parameters with their values.
     pub parameters: Vec<ParameterDescription>,
     /// Settings that can be set during a run, by their paths in the scenario.
@@ -199,6 +201,17 @@ pub struct LimitDescription {
     pub percentile: f64,
 }
 
+/// Camera and plots with which views open the scenario.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct ViewDescription {
+    /// Name of the camera, or the six coordinates of the eye and of its target relative to the first body, m; empty if the view
+    /// chooses it.
+    pub camera: String,
+    /// The columns of each plot; none if the view chooses them.
+    pub plots: Vec<Vec<String>>,
+}
+
 /// A parameter of the scenario, with its value.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -285,6 +298,7 @@ impl Scenario {
             hulls,
             objects_in_water,
             limits: limits.iter().cloned().map(describe_limit).collect(),
+            view: self.view.as_ref().map(describe_view).unwrap_or_default(),
             live_settings: LIVE_SETTINGS.into(),
             parameters: self.parameter_values().into_iter().map(describe_parameter).collect(),
             warnings: warnings::of(self, model, world, elements)
@@ -345,6 +359,18 @@ fn dry_inertia(model: &Model, body: usize, node: &Node) -> [[f64; 3]; 3] {
 fn describe_point(model: &Model, place: &Attachment) -> PointDescription {
     let body = place.body.map_or(schema::WORLD, |body| model.bodies[body].name.as_str());
     PointDescription { body: body.to_owned(), position_m: place.in_body.position.0 }
+}
+
+fn describe_view(view: &schema::View) -> ViewDescription {
+    let camera = match &view.camera {
+        None => String::new(),
+        Some(schema::Camera::Place(place)) => {
+            place.eye_m.iter().chain(&place.target_m).map(ToString::to_string).collect::<Vec<_>>().join(" ")
+        }
+        Some(named) => named.to_value().as_str().unwrap_or_default().to_owned(),
+    };
+    let plots = view.plots.iter().map(|plot| plot.iter().map(ToString::to_string).collect()).collect();
+    ViewDescription { camera, plots }
 }
 
 fn describe_limit(

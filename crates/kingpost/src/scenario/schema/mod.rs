@@ -20,6 +20,7 @@ mod parameter;
 mod sea;
 mod sensors;
 mod sets_inputs;
+mod view;
 mod waves;
 
 use indexmap::IndexMap;
@@ -112,6 +113,7 @@ pub use parameter::{Parameter, ParameterKind, ParameterValue};
 pub use sea::{Sea, Stretching};
 pub use sensors::{Sensor, Wire};
 pub use sets_inputs::SetsInputs;
+pub use view::{Camera, CameraPlace, View};
 pub use waves::{
     ElevationRecord, Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, RegularWave, SpectrumTable, WaveAmplitudes,
     WaveRealisation, Waves,
@@ -167,6 +169,8 @@ pub struct Scenario<S = f64> {
     /// Limits on columns of the results, by name.
     #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
     pub limits: IndexMap<Name, Limit>,
+    /// Camera and plots at first.
+    pub view: Option<View>,
     /// Warnings of fields of the file that the default of a parameter has replaced.
     #[serde(skip)]
     #[cfg_attr(feature = "schema", schemars(skip))]

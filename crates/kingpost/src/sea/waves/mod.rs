@@ -35,6 +35,7 @@ pub use noise::Noise;
 pub use ramp::ramp;
 pub use realization::{Amplitudes, WaveSystem};
 pub use record::{ElevationRecord, ElevationTable, MOST_SAMPLES};
+pub(crate) use spectrum::jonswap_shape;
 pub use spectrum::{
     Band, Jonswap, OchiHubble, OchiHubblePart, PiersonMoskowitz, Spectrum, SpectrumTable, Torsethaugen,
 };

@@ -34,7 +34,13 @@ impl<S: Quantity> Assemble<S> for schema::HeaveForecast<S> {
             return Err(FieldError::new(format!("{lead}.horizon_s"), horizon_s, allowed));
         }
         let periods_s = [self.shortest_period_s.get(), self.longest_period_s.get()];
-        let bank = FilterBank::new(band(&lead, periods_s, self.noise_share.get(), period_s)?);
+        let mut band = band(&lead, periods_s, self.noise_share.get(), period_s)?;
+        band.peak_period_s = self.peak_period_s.map(|period| period.get());
+        if let Some(found) = band.peak_period_s.filter(|peak_s| !(periods_s[0]..=periods_s[1]).contains(peak_s)) {
+            let allowed = format!("{} to {} s, the shortest and the longest period", periods_s[0], periods_s[1]);
+            return Err(FieldError::new(format!("{lead}.peak_period_s"), found, allowed));
+        }
+        let bank = FilterBank::new(band);
         let source = MotionSource { sensor: Some(&self.sensor), horizontal: false, prediction: None };
         let Some(unit) = unit(&lead, &source, at.elements)? else { return Ok(Vec::new()) };
         let samples = |time_s: f64| libm::round(time_s / period_s) as i64;
@@ -44,7 +50,7 @@ impl<S: Quantity> Assemble<S> for schema::HeaveForecast<S> {
         let settles = samples(SETTLING * periods_s[1]);
         Ok(vec![Box::new(HeaveForecast {
             name: name.to_owned(),
-            error_share: error_share(&prediction, horizon_s),
+            error_share: error_share(&prediction.bank, unit.age_s + horizon_s),
             estimator: Estimator { measurement: unit.measurement(), prediction: Some(prediction), period_s },
             point,
             leads_s,
@@ -86,10 +92,9 @@ fn prediction<S: Quantity>(bank: FilterBank, unit: &MotionUnit<S>, leads_s: &[f6
     }
 }
 
-/// Returns the mean square of the error at the horizon, over that of the height.
-fn error_share<S: Quantity>(prediction: &Prediction<S>, horizon_s: f64) -> f64 {
-    let height = Dynamics { high_pass: None, delay: horizon_s, lag: 0.0 };
-    let weights: Vec<f64> =
-        prediction.results.last().map_or_else(Vec::new, |both| both[1].iter().map(|weight| weight.value()).collect());
-    prediction.bank.error_share(&weights, |frequency| height.position(frequency))
+/// Returns the mean square of the error of a height after this time, s, over that of the height, without a high-pass filter.
+fn error_share(bank: &FilterBank, delay: f64) -> f64 {
+    let height = Dynamics { high_pass: None, delay, lag: 0.0 };
+    let weights = bank.position_weights(|frequency| height.position(frequency));
+    bank.error_share(&weights, |frequency| height.position(frequency))
 }

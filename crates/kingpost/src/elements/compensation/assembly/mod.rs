@@ -199,7 +199,8 @@ pub fn band(
         let allowed = format!("above shortest_period_s, {shortest_period_s} s, and at most {most_s} s");
         return Err(FieldError::new(format!("{field}.longest_period_s"), longest_period_s, allowed));
     }
-    Ok(PeriodBand { shortest_period_s, longest_period_s, noise_share, sampling_period_s: period_s })
+    let (sampling_period_s, peak_period_s) = (period_s, None);
+    Ok(PeriodBand { shortest_period_s, longest_period_s, noise_share, sampling_period_s, peak_period_s })
 }
 
 /// Largest number of samples in the longest period: it limits the sums that give the weights.

@@ -25,8 +25,10 @@ pub struct HeaveForecast<S = f64> {
     /// How far ahead it predicts, s.
     #[serde(default = "horizon")]
     pub horizon_s: Positive,
-    /// Shortest period of the heave, s; at least four times period_s. A narrow band of periods, as of swell, can be predicted for
-    /// longer than a wide one.
+    /// Peak period of the heave, s, mostly that of the waves: the filters suit a JONSWAP spectrum with it. Without it, they suit a
+    /// heave that is spread evenly over its periods, which is foreseen for a shorter time.
+    pub peak_period_s: Option<Positive>,
+    /// Shortest period of the heave, s; at least four times period_s. The filters amplify heave of other periods.
     #[serde(default = "shortest")]
     pub shortest_period_s: Positive,
     /// Longest period, s; longer than the shortest.

@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use super::{Band, gamma_shape, integral, peak_enhancement};
+use super::{Band, gamma_shape, integral, jonswap_shape, peak_enhancement};
 use crate::sea::waves::error::{HEIGHTS_M, PERIODS_S, WaveError, between};
 
 /// S(w) = A Hs^2 w_p^4 w^-5 exp(-(5/4) (w / w_p)^-4) gamma^exp(-(w / w_p - 1)^2 / (2 sigma^2)), sigma 0.07 up
@@ -28,7 +28,7 @@ impl Jonswap {
         between("gamma", gamma, [1.0, 20.0])?;
         let peak_rad_s = TAU / peak_period_s;
         let all = Band { lowest_rad_s: 0.1, highest_rad_s: 1e4 };
-        let shape = integral(&[1.0], all, |x| gamma_shape(x, 5.0, 4.0) * peak_enhancement(x, gamma));
+        let shape = integral(&[1.0], all, |x| jonswap_shape(x, gamma));
         let variance = significant_height_m * significant_height_m / 16.0;
         Ok(Self { peak_rad_s, gamma, scale: variance / (shape * peak_rad_s) })
     }

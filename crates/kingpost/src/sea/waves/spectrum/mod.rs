@@ -118,6 +118,11 @@ fn power(base: f64, order: i32) -> f64 {
     libm::pow(base, f64::from(order))
 }
 
+/// Returns the shape of the JONSWAP spectrum, x^-5 exp(-5/4 x^-4) times the peak enhancement factor, with x = w / w_p.
+pub(crate) fn jonswap_shape(x: f64, gamma: f64) -> f64 {
+    gamma_shape(x, 5.0, 4.0) * peak_enhancement(x, gamma)
+}
+
 /// Returns x^-n exp(-(n/m) x^-m) with x = w / w_p; 0 unless x > 0.
 pub(crate) fn gamma_shape(x: f64, n: f64, m: f64) -> f64 {
     if x > 0.0 { libm::exp(-n * libm::log(x) - n / m * libm::pow(x, -m)) } else { 0.0 }
