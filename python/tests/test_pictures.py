@@ -137,6 +137,17 @@ def test_a_camera_steps_back_when_a_body_leaves_and_never_comes_nearer() -> None
     assert away == sorted(away)
 
 
+def test_eye_and_target_are_relative_to_the_first_body() -> None:
+    """Source: the target is in the middle of the picture."""
+    simulation = kingpost.Simulation("offshore_vessel")
+    place = simulation.poses()[0, :3]
+    drawing = Drawing(simulation, (30, -40, 25, 5, 2, 10), SMALL_PX)
+    drawing.picture()
+    camera = drawing._placed(simulation.poses(), place[None])
+    assert np.allclose(camera.eye_m - place, [30, -40, 25])
+    assert np.allclose(camera.seen(place + np.array([5, 2, 10]))[:2], 0, atol=1e-12)
+
+
 def test_a_run_is_drawn_at_its_records_as_the_simulation_was() -> None:
     """Source: the simulation, stepped to the same time."""
     run = kingpost.run("offshore_vessel", {"simulation.duration_s": 4.0})
@@ -170,8 +181,10 @@ def test_a_run_with_levers_set_by_hand_is_refused() -> None:
     [
         ({"time_s": 3.1}, "time_s: found 3.1, allowed: 0 to 3"),
         ({"time_s": float("nan")}, "time_s: found nan"),
-        ({"camera": "above"}, "camera: found 'above', allowed: free, load, side, top, or a direction"),
-        ({"camera": (0, 0, 1)}, r"camera: found \(0, 0, 1\), allowed: .* not vertical"),
+        ({"camera": "above"}, "camera: found 'above', allowed: free, load, side, top, a direction"),
+        ({"camera": (0, 0, 1)}, r"camera: found \(0, 0, 1\), allowed: .* none vertical"),
+        ({"camera": (1, 2)}, r"camera: found \(1, 2\)"),
+        ({"camera": (1, 2, 3, 1, 2, 0)}, r"camera: found \(1, 2, 3, 1, 2, 0\), allowed: .* none vertical"),
         ({"size_px": (0, 90)}, r"size_px: found \(0, 90\), allowed: width and height, 1 to 8192"),
         ({"size_px": 90}, "size_px: found 90"),
         ({"path": "still.jpg"}, "still.jpg: unknown ending, allowed: .png"),

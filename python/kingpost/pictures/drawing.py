@@ -42,8 +42,9 @@ class Drawing:
     simulation
         The simulation, drawn in its present state by each call of `picture`.
     view
-        ``free``, from the starboard quarter, ``side``, ``top``, ``load``, which follows the load, or a
-        direction from the scene to the eye: x, y, z.
+        ``free``, from the starboard quarter, ``side``, ``top``, ``load``, which follows the load, a
+        direction from the scene to the eye, or the positions of the eye and its target relative to the first
+        body, along the axes of the world, m.
     size_px
         Width and height, pixels.
 
@@ -57,7 +58,8 @@ class Drawing:
     ) -> None:
         self.simulation = simulation
         self.size_px = checked_size(size_px)
-        self._direction = checked_view(view)
+        self._view = checked_view(view)
+        self._direction = _direction(self._view)
         self._follows = view == "load"
         poses = simulation.poses()
         self._scene = Scene(simulation.scenario.model, poses)
@@ -92,6 +94,9 @@ class Drawing:
 
     def _placed(self, poses: NDArray[np.float64], corners: NDArray[np.float64]) -> Camera:
         aspect = self.size_px[0] / self.size_px[1]
+        if len(self._view) == 6:
+            target = poses[0, :3] + self._view[3:]
+            return following(target, self._direction, float(np.linalg.norm(self._direction)), aspect)
         if self._follows:
             own = self._scene.corners_m(poses, [self._scene.watched])
             size = float(np.linalg.norm(np.ptp(own, axis=0)))
@@ -102,27 +107,32 @@ class Drawing:
         return self._camera
 
 
-def checked_view(view: Viewpoint) -> tuple[float, float, float]:
-    """Direction of a view.
+def checked_view(view: Viewpoint) -> tuple[float, ...]:
+    """Direction of a view, or eye and target.
 
     Raises
     ------
     KingpostError
-        If the name is unknown, or the direction is no vector of three numbers, or vertical.
+        If the name is unknown, or the numbers are not three or six, not finite, or of a vertical view.
 
     >>> checked_view("side")
     (0.0, -1.0, 0.1)
     """
     if isinstance(view, str) and view in VIEWS:
         return VIEWS[view]
-    allowed = f"{', '.join(VIEWS)}, or a direction of three numbers that is not vertical"
     try:
-        x, y, z = (float(part) for part in view)
+        numbers = () if isinstance(view, str) else tuple(float(part) for part in view)
     except (TypeError, ValueError):
-        raise KingpostError(f"camera: found {shortened(repr(view))}, allowed: {allowed}") from None
-    if not np.isfinite([x, y, z]).all() or not np.hypot(x, y) > 0:
-        raise KingpostError(f"camera: found {shortened(repr(view))}, allowed: {allowed}")
-    return x, y, z
+        numbers = ()
+    if len(numbers) in (3, 6) and np.isfinite(numbers).all() and np.hypot(*_direction(numbers)[:2]) > 0:
+        return numbers
+    allowed = f"{', '.join(VIEWS)}, a direction of three numbers, or six of eye and target; none vertical"
+    raise KingpostError(f"camera: found {shortened(repr(view))}, allowed: {allowed}")
+
+
+def _direction(view: Sequence[float]) -> NDArray[np.float64]:
+    """From the target to the eye."""
+    return np.array(view[:3]) - np.array(view[3:] if len(view) == 6 else [0.0, 0.0, 0.0])
 
 
 def checked_size(size_px: Sequence[int]) -> tuple[int, int]:

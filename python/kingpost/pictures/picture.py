@@ -51,8 +51,9 @@ def picture(
     time_s
         Time, s, from 0 to the scenario's duration; for a run, of its nearest record. Default: the start.
     camera
-        ``free``, from the starboard quarter, ``side``, ``top``, ``load``, which follows the load, or a
-        direction from the scene to the eye: x, y, z. Everything is in the picture, but for ``load``.
+        ``free``, from the starboard quarter, ``side``, ``top``, or a direction from the scene to the eye: x,
+        y, z. Everything is then in the picture. Or ``load``, which follows the load, or the positions of the
+        eye and its target relative to the first body, along the axes of the world, m.
     size_px
         Width and height, pixels.
     path
