@@ -12,14 +12,12 @@ from pathlib import Path, PurePosixPath
 from .. import output
 from ..errors import KingpostError, OutputError
 from ..gallery import GALLERY
-from ..pictures import Viewpoint, picture
+from ..pictures import ELEMENT, Viewpoint, picture
 from ..results.columns import nearest
 from ..scenario import Scenario
 from ..server import serve
 from ..simulation.simulate import Simulation
 
-ELEMENT = "kingpost-figure.js"
-"""Script of the element in the app's folder."""
 PAGE = "figure.html"
 """Page of a figure in the app's folder."""
 APP, STILL, INDEX = "app", "still.png", "index.html"
