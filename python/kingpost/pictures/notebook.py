@@ -13,7 +13,8 @@ from ..scenario import Scenario
 from ..simulation.simulate import Simulation
 from .picture import picture, png, scenario_of_run
 
-CELL_PX = (640, 360)
+CELL_PX = (640, 400)
+"""Size of a still: 16 : 10 as in the element of the app."""
 ELEMENT = "kingpost-figure.js"
 """Script of the element in the app's folder."""
 ADDRESS = re.compile(r"https?://[^\s\"'<>#?]+")
@@ -56,7 +57,7 @@ def figure(of: Any) -> str:
     `Batch`, and if the scenario cannot be drawn: for example, a file that it names has changed since the run.
 
     >>> from kingpost import load
-    >>> figure(load("paper")).startswith('<figure style="margin:0"><img src="data:image/png;base64,')
+    >>> '<img src="data:image/png;base64,' in figure(load("paper"))
     True
     """
     try:
@@ -66,10 +67,12 @@ def figure(of: Any) -> str:
         return ""
     words = escape(f"{scenario.title}, at {time_s:g} s")
     data = base64.b64encode(drawn).decode()
-    size = f'width="{CELL_PX[0]}" height="{CELL_PX[1]}" style="max-width:100%;height:auto"'
+    # No height is given: within the element the picture fills the place of the run.
+    size = f'width="{CELL_PX[0]}" style="max-width:100%"'
     image = f'<img src="data:image/png;base64,{data}" {size} alt="{words}" />'
     played, opened = _in_app(scenario, image)
-    return f'<figure style="margin:0">{played}<figcaption>{words}{opened}</figcaption></figure>'
+    style = f"margin:0;max-width:{CELL_PX[0]}px"
+    return f'<figure style="{style}">{played}<figcaption>{words}{opened}</figcaption></figure>'
 
 
 def _shown(of: Any) -> tuple[Scenario, float]:
