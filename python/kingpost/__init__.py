@@ -24,6 +24,7 @@ from .analysis.vibration import equilibrium, modes
 from .analysis.wave_response import wave_response
 from .engine import engine
 from .errors import KingpostError, KingpostWarning, RunError, ScenarioError
+from .pictures import picture
 from .scenario import Scenario, load
 from .simulation.batch import Batch
 from .simulation.linear import Equilibrium, Linearization
@@ -69,6 +70,7 @@ __all__ = [
     "modes",
     "mpc",
     "open_study",
+    "picture",
     "range_graph",
     "rao",
     "results",

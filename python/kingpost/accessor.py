@@ -195,7 +195,7 @@ class Accessor:
         time = self._results["time"].values
         rows = [("status", about.get("status", "")), ("seed", about.get("seed", "")),
                 ("recorded", f"{time[0]:g} to {time[-1]:g} s, {len(time)} rows")]  # fmt: skip
-        parts = [markup.table(str(about.get("title", "")), rows)]
+        parts = [markup.figure(self._results), markup.table(str(about.get("title", "")), rows)]
         limits = [] if "run" in self._results.sizes else limits_of(self._results)
         if limits:
             held = {True: "yes", False: "NO", None: "no row"}

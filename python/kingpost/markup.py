@@ -1,9 +1,23 @@
-"""Tables for notebooks, as HTML."""
+"""Tables and figures for notebooks, as HTML."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from html import escape
+
+_draw: Callable[[object], str] | None = None
+
+
+def draw_figures_by(draw: Callable[[object], str]) -> None:
+    """Register the function that makes a figure of a scenario, a simulation or a run: registered, because
+    the function needs modules that use this one."""
+    global _draw
+    _draw = draw
+
+
+def figure(of: object) -> str:
+    """Figure of a scenario, a simulation or a run; empty without a registered function."""
+    return "" if _draw is None else _draw(of)
 
 
 def table(heading: str, rows: Iterable[Sequence[object]], columns: Sequence[str] = ()) -> str:

@@ -209,6 +209,7 @@ class Scenario:
             (one["name"], one["kind"], "on" if one["enabled"] else "off") for one in described["elements"]
         ]
         return "".join([
+            markup.figure(self),
             markup.table(self.title, [("file", self.file)]),
             markup.table("Parameters", parameters, ("name", "value", "unit", "")) if parameters else "",
             markup.table("Bodies", bodies, ("body", "parent", "mass, kg")),

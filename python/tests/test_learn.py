@@ -304,7 +304,7 @@ def test_the_examples_of_the_page_run() -> None:
     blocks = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
     # That of several agents runs in test_learn_agents.py.
     blocks = [block for block in blocks if "ParallelEnv" not in block]
-    assert len(blocks) == 4
+    assert len(blocks) == 5
     for block in blocks:
         exec(compile(block, "docs/learning.md", "exec"), {})
 

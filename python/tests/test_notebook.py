@@ -1,7 +1,10 @@
-"""Use in notebooks: `ds.kingpost`, tables for the value of a cell, editing, time histories."""
+"""Use in notebooks: `ds.kingpost`, tables and pictures for the value of a cell, editing, time histories."""
 
 from __future__ import annotations
 
+import base64
+import io
+import re
 import subprocess
 import sys
 from xml.etree import ElementTree
@@ -9,8 +12,11 @@ from xml.etree import ElementTree
 import kingpost
 import numpy as np
 import pytest
-from kingpost import results
+from kingpost import gallery, link, results
 from kingpost.cli import main
+from kingpost.pictures import use_app
+from kingpost.pictures.notebook import CELL_PX
+from matplotlib.image import imread
 
 LIMIT = {"limits": {"heel": {"column": "ship.roll", "within": 1, "unit": "deg"}}}
 
@@ -141,3 +147,78 @@ def test_membership_in_a_scenario_is_by_parameter_or_path() -> None:
     assert "no_such_name" not in scenario
     with pytest.raises(TypeError, match="not iterable"):
         list(scenario)
+
+
+def image_in(html: str) -> np.ndarray:
+    """Pixels of the picture in a cell, from its data."""
+    found = ElementTree.fromstring(f"<p>{html}</p>").find("figure/img")
+    assert found is not None
+    data = found.attrib["src"].removeprefix("data:image/png;base64,")
+    read = imread(io.BytesIO(base64.b64decode(data)))
+    return (read[..., :3] * 255).round().astype(np.uint8)
+
+
+def test_a_cell_holds_the_picture_of_a_scenario_a_simulation_and_a_run(recorded) -> None:
+    """Source: `kingpost.picture`; an exported page needs no other file."""
+    scenario = kingpost.load("paper", {"simulation.duration_s": 1.0, **LIMIT})
+    start = kingpost.picture(scenario, size_px=CELL_PX)
+    for cell in (scenario._repr_html_(), recorded.kingpost._repr_html_()):
+        assert np.array_equal(image_in(cell), start)
+        addresses = re.findall(r'(?:src|href)="([^"]*)"', cell)
+        assert all(address.startswith("data:image/png;base64,") for address in addresses)
+    simulation = kingpost.Simulation(scenario)
+    simulation.step(800)
+    assert np.array_equal(image_in(simulation._repr_html_()), kingpost.picture(simulation, size_px=CELL_PX))
+    assert "at 0.8 s" in simulation._repr_html_()
+
+
+def test_a_cell_is_a_figure_of_the_app_that_is_named_with_the_still_within() -> None:
+    """Source: the link that `kingpost.link` makes of the scenario."""
+    scenario = kingpost.load("paper", crane_x_m=3)
+    assert "<a " not in scenario._repr_html_()
+    assert "<script" not in scenario._repr_html_()
+    use_app("http://127.0.0.1:8000")
+    try:
+        cell = ElementTree.fromstring(f"<p>{scenario._repr_html_()}</p>")
+    finally:
+        use_app(None)
+    run, app = link.fragment(scenario), "http://127.0.0.1:8000/"
+    script, played = cell.find("figure/script"), cell.find("figure/kingpost-figure")
+    opened = cell.find("figure/figcaption/a")
+    assert script is not None
+    assert played is not None
+    assert opened is not None
+    assert script.attrib["src"] == f"{app}kingpost-figure.js"
+    assert played.attrib == {"src": app, "run": run}
+    assert opened.attrib["href"] == app + run
+    still = played.find("img")
+    assert still is not None
+    assert still.attrib["src"].startswith("data:image/png;base64,")
+
+
+@pytest.mark.parametrize("address", ["javascript:alert(1)", "127.0.0.1:8000", 'http://a/"><b>', 8000])
+def test_an_address_of_another_kind_is_refused(address) -> None:
+    with pytest.raises(
+        kingpost.KingpostError, match=r"address: found .*, allowed: an address such as http://"
+    ):
+        use_app(address)
+
+
+def test_a_batch_and_a_run_of_a_changed_file_have_tables_without_a_picture(tmp_path) -> None:
+    batch = kingpost.Batch("paper", {"crane_x_m": [0, 1]}, {"simulation.duration_s": 0.1}).run()
+    assert "<figure" not in batch.kingpost._repr_html_()
+    hull = (gallery.folder() / "hydro" / "sphere.hydro.json").read_text(encoding="utf-8")
+    (tmp_path / "mine.hydro.json").write_text(hull, encoding="utf-8")
+    path = tmp_path / "mine.yaml"
+    text = kingpost.load("sphere_decay").text
+    path.write_text(text.replace("gallery:hydro/sphere.hydro.json", "mine.hydro.json"), encoding="utf-8")
+    run = kingpost.run(path, {"simulation.duration_s": 0.1})
+    assert "<figure" in run.kingpost._repr_html_()
+    (tmp_path / "mine.hydro.json").write_text(hull + "\n", encoding="utf-8")
+    assert "<figure" not in run.kingpost._repr_html_()
+    assert "<table" in run.kingpost._repr_html_()
+
+
+def test_a_title_is_text_in_the_caption() -> None:
+    scenario = kingpost.load("paper", {"title": "<script>alert(1)</script>"})
+    assert "<script" not in scenario._repr_html_()

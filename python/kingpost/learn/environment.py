@@ -8,6 +8,7 @@ import gymnasium
 import numpy as np
 
 from .episodes import Episodes, check_options
+from .rendering import FRAME_PX, Viewpoint, frames_of, metadata
 from .task import LARGEST_OBSERVATION, Task
 
 
@@ -37,6 +38,10 @@ class ShipCraneEnv(gymnasium.Env[np.ndarray, np.ndarray]):
         The task, with its names, units and bounds (`task.action_names`, `task.observation_units`, ...).
     max_episode_steps
         Control steps in an episode; default: those of the task's duration.
+    render_mode
+        ``rgb_array``: `render` returns the picture of the present state; default: no pictures.
+    camera, size_px
+        Viewpoint and size of the pictures, as in `kingpost.picture`.
 
     Examples
     --------
@@ -48,11 +53,20 @@ class ShipCraneEnv(gymnasium.Env[np.ndarray, np.ndarray]):
     True
     """
 
-    def __init__(self, task: Task, max_episode_steps: int | None = None) -> None:
-        self.metadata = {"render_modes": []}
+    def __init__(
+        self,
+        task: Task,
+        max_episode_steps: int | None = None,
+        render_mode: str | None = None,
+        camera: Viewpoint = "free",
+        size_px: tuple[int, int] = FRAME_PX,
+    ) -> None:
+        self.metadata = metadata(task)
+        self.render_mode = render_mode
         self.task = task
         self.observation_space, self.action_space = spaces(task)
         self.episodes = Episodes(task, 1, 1, max_episode_steps)
+        self._frames = frames_of(self.episodes, render_mode, camera, size_px)
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
@@ -61,6 +75,8 @@ class ShipCraneEnv(gymnasium.Env[np.ndarray, np.ndarray]):
         check_options(options)
         super().reset(seed=seed)
         self.episodes.begin({0: self.np_random})
+        for frames in self._frames:
+            frames.begin()
         return self.episodes.observations()[0], {}
 
     def step(self, action: np.ndarray) -> tuple[np.ndarray, float, bool, bool, dict[str, Any]]:
@@ -72,5 +88,12 @@ class ShipCraneEnv(gymnasium.Env[np.ndarray, np.ndarray]):
             If an action is NaN or not within -1 to 1.
         """
         seen, rewards, terminated, truncated = self.episodes.step(np.asarray(action)[None])
+        for frames in self._frames:
+            frames.act()
         info = {"ended_by": self.episodes.ended_by(0)} if terminated[0] else {}
         return seen[0], float(rewards[0]), bool(terminated[0]), bool(truncated[0]), info
+
+    def render(self) -> np.ndarray | None:  # type: ignore[override]
+        """Draw the present state: red, green and blue, shape (height, width, 3). Return `None` without a
+        render mode."""
+        return self._frames[0].frame() if self._frames else None

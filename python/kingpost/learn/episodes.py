@@ -72,6 +72,13 @@ class Episodes:
     own
         Fields or parameters of the scenario with one value for each copy; default: none.
 
+    Attributes
+    ----------
+    variants
+        Overrides of each copy in its episode, by name.
+    inputs
+        Inputs of the last control step, shape (copies, inputs).
+
     Examples
     --------
     >>> from kingpost.learn import anti_sway
@@ -99,6 +106,8 @@ class Episodes:
         self.episode_steps = task.episode_steps if episode_steps is None else episode_steps
         self.taken = np.zeros(count, dtype=np.int64)
         self.goals: np.ndarray | None = None
+        self.variants: list[list[tuple[str, Any]]] = [[] for _ in range(count)]
+        self.inputs = np.zeros((count, len(task.set)))
         self._lower = np.array([low for low, _ in task.bounds])
         self._upper = np.array([high for _, high in task.bounds])
         self._half = 0.5 * (self._upper - self._lower)
@@ -118,6 +127,8 @@ class Episodes:
     def begin(self, which: dict[int, np.random.Generator]) -> None:
         """Begin episodes of these copies; the first call names all of them."""
         variants = {copy: self._drawn(random) + self._own[copy] for copy, random in which.items()}
+        for copy, variant in variants.items():
+            self.variants[copy] = variant
         if self._copies is None:
             self._copies = self._made([variants[copy] for copy in range(self.count)])
         else:
@@ -145,7 +156,7 @@ class Episodes:
             raise KingpostError("step: found no episode, allowed: after reset()")
         actions = self._checked(actions)
         inputs = self._lower + (actions + 1.0) * self._half
-        inputs = np.clip(inputs, self._lower, self._upper)
+        self.inputs = inputs = np.clip(inputs, self._lower, self._upper)
         self._before = self._read.reshape(self.count, -1)[:, self._kept]
         self._copies.advance(self.task.steps, inputs.ravel(), self._read, self._status)
         self.taken += 1

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
+from typing import Any, ClassVar
 
 import gymnasium
 
 from .environment import ShipCraneEnv
+from .rendering import FRAME_PX, RENDER_MODES, Viewpoint
 from .task import Task
 from .tasks import anti_sway, anti_sway_at_sea, heave_compensation, landing, roll_reduction, three_axis
 from .vector import ShipCraneVectorEnv
@@ -34,13 +35,22 @@ def _late(task: Task, delay_s: Span | None) -> Task:
 class _One:
     """Makes one environment of a task."""
 
+    metadata: ClassVar[dict[str, Any]] = {"render_modes": [*RENDER_MODES]}
+
     def __init__(self, task: Callable[..., Task]) -> None:
         self.task = task
 
     def __call__(
-        self, max_episode_steps: int | None = None, delay_s: Span | None = None, **options: Any
+        self,
+        max_episode_steps: int | None = None,
+        delay_s: Span | None = None,
+        render_mode: str | None = None,
+        camera: Viewpoint = "free",
+        size_px: tuple[int, int] = FRAME_PX,
+        **options: Any,
     ) -> ShipCraneEnv:
-        return ShipCraneEnv(_late(self.task(**options), delay_s), max_episode_steps)
+        task = _late(self.task(**options), delay_s)
+        return ShipCraneEnv(task, max_episode_steps, render_mode, camera, size_px)
 
 
 class _Many:
@@ -56,10 +66,15 @@ class _Many:
         autoreset_mode: Any = gymnasium.vector.AutoresetMode.NEXT_STEP,
         max_episode_steps: int | None = None,
         delay_s: Span | None = None,
+        render_mode: str | None = None,
+        camera: Viewpoint = "free",
+        size_px: tuple[int, int] = FRAME_PX,
         **options: Any,
     ) -> ShipCraneVectorEnv:
         task = _late(self.task(**options), delay_s)
-        return ShipCraneVectorEnv(task, num_envs, threads, autoreset_mode, max_episode_steps)
+        return ShipCraneVectorEnv(
+            task, num_envs, threads, autoreset_mode, max_episode_steps, render_mode, camera, size_px
+        )
 
 
 def register() -> None:

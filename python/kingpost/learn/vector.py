@@ -13,6 +13,7 @@ from gymnasium.vector.utils import batch_space
 from ..errors import KingpostError
 from .environment import spaces
 from .episodes import Episodes, check_options
+from .rendering import FRAME_PX, Viewpoint, frames_of, metadata
 from .task import Task
 
 
@@ -50,6 +51,10 @@ class ShipCraneVectorEnv(VectorEnv[np.ndarray, np.ndarray, np.ndarray]):
         reward is 0. ``DISABLED``: by ``reset(options={"reset_mask": ...})`` only.
     max_episode_steps
         Control steps in an episode; default: those of the task's duration.
+    render_mode
+        ``rgb_array``: `render` returns a picture of each environment; default: no pictures.
+    camera, size_px
+        Viewpoint and size of the pictures, as in `kingpost.picture`.
 
     Examples
     --------
@@ -69,12 +74,17 @@ class ShipCraneVectorEnv(VectorEnv[np.ndarray, np.ndarray, np.ndarray]):
         threads: int = 0,
         autoreset_mode: AutoresetMode | str = AutoresetMode.NEXT_STEP,
         max_episode_steps: int | None = None,
+        render_mode: str | None = None,
+        camera: Viewpoint = "free",
+        size_px: tuple[int, int] = FRAME_PX,
     ) -> None:
         self.autoreset_mode = _mode(autoreset_mode)
-        self.metadata = {"render_modes": [], "autoreset_mode": self.autoreset_mode}
+        self.metadata = {**metadata(task), "autoreset_mode": self.autoreset_mode}
+        self.render_mode = render_mode
         self.task, self.num_envs = task, num_envs
         self.single_observation_space, self.single_action_space = spaces(task)
         self.episodes = Episodes(task, num_envs, threads, max_episode_steps)
+        self._frames = frames_of(self.episodes, render_mode, camera, size_px)
         self.observation_space = batch_space(self.single_observation_space, num_envs)
         self.action_space = batch_space(self.single_action_space, num_envs)
         self._random: list[np.random.Generator | None] = [None] * num_envs
@@ -121,6 +131,8 @@ class ShipCraneVectorEnv(VectorEnv[np.ndarray, np.ndarray, np.ndarray]):
                 f"step: found environment {first} at the end of its episode, allowed: after reset"
             )
         seen, rewards, terminated, truncated = self.episodes.step(actions)
+        for frames in self._frames:
+            frames.act()
         if self.autoreset_mode == AutoresetMode.NEXT_STEP and ended.any():
             self._begin(np.flatnonzero(ended))
             seen = self.episodes.observations()
@@ -139,9 +151,16 @@ class ShipCraneVectorEnv(VectorEnv[np.ndarray, np.ndarray, np.ndarray]):
             seen, info = self.episodes.observations(), final
         return seen, rewards, terminated, truncated, info
 
+    def render(self) -> tuple[np.ndarray, ...] | None:
+        """Draw the present state of each environment; `None` without a render mode."""
+        return tuple(frames.frame() for frames in self._frames) if self._frames else None
+
     def _begin(self, which: np.ndarray) -> None:
         drawn = {int(i): self._random[i] for i in which}
         self.episodes.begin({i: random for i, random in drawn.items() if random is not None})
+        for frames in self._frames:
+            if frames.copy in which:
+                frames.begin()
         self._ended[which] = False
 
     def _reasons(self, terminated: np.ndarray) -> dict[str, Any]:

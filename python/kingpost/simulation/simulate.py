@@ -191,6 +191,7 @@ class Simulation(Observed, Equations):
         free = zip(self.coordinates, self.coordinate_units, strict=True)
         inputs = [(one.name, one.value, one.unit, one.lower, one.upper) for one in self.inputs.values()]
         return "".join([
+            markup.figure(self),
             markup.table(heading, free, ("free coordinate", "unit")),
             markup.table("Inputs", inputs, ("name", "value", "unit", "from", "to")) if inputs else "",
         ])  # fmt: skip
