@@ -333,3 +333,38 @@ forces:
     let (coarse, fine) = (apart(5e-4), apart(2.5e-4));
     assert!(fine < 3e-6 && fine < coarse / 8.0, "{coarse:e} {fine:e}");
 }
+
+/// A crate whose feet are exactly on the plane when the run begins, at 1 m/s along it. It settles into the plane by its weight, so
+/// friction is mu N from the first instant: at any time mu times the impulse of N is the momentum that is lost.
+#[test]
+fn a_contact_that_begins_at_depth_zero_while_it_moves_slides() {
+    for integrator in ["rk4", "implicit_midpoint"] {
+        let text = format!(
+            "version: 1
+title: A crate that slides from the first instant
+simulation: {{integrator: {integrator}, step_s: 0.0005, duration_s: 60}}
+bodies:
+  crate: {{mass_t: 2, shape: {{box: {{length_m: 2, width_m: 1.5, height_m: 1}}}}, joint: {{floating: {{initial: {{position_m: [0, 0, 0.5], velocity_m_s: [1, 0, 0]}}}}}}}}
+forces:
+  gravity: {{gravity: {{}}}}
+  deck:
+    contact:
+      load: {{body: crate, shape: {{points: {{positions_m: [[-1, 0, -0.5], [1, 0, -0.5]]}}}}}}
+      surface: {{body: world, shape: {{plane: {{}}}}}}
+      stiffness_kN_per_m: 10000
+      friction_coefficient: 0.3
+"
+        );
+        let mut run = simulation(&text);
+        assert_eq!(values(&mut run, "contact_penetration"), [0.0]);
+        for _ in 0..300 {
+            run.step(1).expect("it slides");
+            let [normal, friction] =
+                ["contact_normal_force", "contact_friction_force"].map(|name| values(&mut run, name)[0]);
+            assert!(friction <= 0.3 * normal * (1.0 + 1e-6), "{integrator}: {friction} {normal}");
+        }
+        let lost = 2000.0 * (1.0 - run.state().v[0]);
+        let by_hand = 0.3 * values(&mut run, "contact_impulse")[0];
+        assert!((lost / by_hand - 1.0).abs() < 1e-3, "{integrator}: {lost} {by_hand}");
+    }
+}

@@ -9,6 +9,7 @@ mod connections;
 mod contact_friction;
 mod contact_mistakes;
 mod contact_motions;
+mod contact_rims;
 mod contact_shapes;
 mod contacts;
 mod controlled_drives;

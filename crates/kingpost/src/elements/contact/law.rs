@@ -174,6 +174,10 @@ impl<S: Scalar> Contact<S> {
         bristle: Vector3<S>,
         own: &mut ElementState<'_, S>,
     ) {
+        // At the surface, where both friction and its limit are 0, their rates decide.
+        if met.depth.all(|depth| depth <= 0.0) {
+            return self.touch(i, friction, met, own);
+        }
         let rubbing = self.rubbing(friction, met, self.pressed(HOLDS, met).normal, bristle);
         let force = friction.holding(&rubbing).force;
         let size = length(force);

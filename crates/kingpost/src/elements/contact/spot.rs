@@ -1,7 +1,7 @@
-//! The spots of one side that may touch the solid of the other: points, balls, the ends of a cylinder, curves.
+//! The spots of one side that may touch the solid of the other: points, balls, the ends of a cylinder, curves, rims.
 
 use super::curve::Curve;
-use super::length::length;
+use super::length::{choose, length};
 use super::solid::ContactSolid;
 use crate::scalar::Scalar;
 use crate::spatial::{Frame, Vector3};
@@ -39,7 +39,20 @@ pub enum Spot<S = f64> {
         /// m.
         crown: S,
     },
+    /// The rim of a round body, with a single contact point where it is deepest, whatever the roll angle: a lying body rolls
+    /// evenly.
+    Rim {
+        /// m.
+        centre: Vector3<S>,
+        /// From the centre to a point of the circle, m.
+        across: Vector3<S>,
+        /// From the centre, a quarter turn after that point, m.
+        along: Vector3<S>,
+    },
 }
+
+/// Number of points of a rim of which the nearest is sought: more than the edges that a circle crosses on a box, eight.
+const SAMPLES: u32 = 16;
 
 /// The position of a spot relative to a solid, in the solid's axes.
 #[derive(Clone, Copy, Debug)]
@@ -91,6 +104,31 @@ impl<S: Scalar> Spot<S> {
                 let point = nearest.point - normal * radius;
                 Nearness { point, normal, gain, depth: radius - nearest.distance, middle: curve.at(S::ZERO).0 }
             }
+            Self::Rim { centre, across, along } => {
+                let curve = deepest_arc(solid, seen, [centre, across, along]);
+                let tube = Self::Tube { curve, radius: S::ZERO, crown: S::ZERO };
+                Nearness { middle: seen.point(centre), ..tube.nearness(solid, seen) }
+            }
         }
     }
+}
+
+/// Returns the arc of a circle between the neighbours of the nearest of [`SAMPLES`] points to a solid. A circle can have a
+/// nearest point at each of several edges: the depth is continuous only for the nearest of all.
+fn deepest_arc<S: Scalar>(
+    solid: &ContactSolid<S>,
+    seen: &Frame<S>,
+    [centre, across, along]: [Vector3<S>; 3],
+) -> Curve<S> {
+    let mut least = S::constant(f64::MAX);
+    let mut best = [across, along];
+    for k in 0..SAMPLES {
+        let (sin, cos) = S::constant(f64::from(k) / f64::from(SAMPLES)).sin_cos_of_turns();
+        let turned = [across * cos + along * sin, along * cos - across * sin];
+        let (distance, _) = solid.distance(seen.point(centre + turned[0]));
+        best = core::array::from_fn(|i| Vector3(choose(distance, least, turned[i].0, best[i].0)));
+        least = distance.select_less(least, || distance, || least);
+    }
+    let half_angle = S::constant(core::f64::consts::TAU / f64::from(SAMPLES));
+    Curve::Arc { centre, across: best[0], along: best[1], half_angle }
 }

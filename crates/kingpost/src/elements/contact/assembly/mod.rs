@@ -2,6 +2,7 @@
 
 mod shapes;
 pub(crate) mod solids;
+mod touching;
 
 use crate::dynamics::LinkKinematics;
 use crate::elements::contact::{Friction, dissipation};
