@@ -93,7 +93,7 @@ export function createScene(session: Session, background: BackgroundEngine): Sce
  * Returns a function for the time of the picture: during a run slightly earlier than the newest frame, otherwise the
  * moment that is shown.
  */
-function follow(session: Session): () => number {
+export function follow(session: Session): () => number {
   const playback = new Playback();
   const wall_s = () => performance.now() / 1000;
   const jump = () => playback.begin(session.shown.time_s, wall_s());
@@ -109,7 +109,7 @@ function follow(session: Session): () => number {
  * Reports that the browser has dropped the graphics context, and repaints after it is restored, because it is then
  * empty.
  */
-function showLosses(canvas: HTMLElement, view: View): void {
+export function showLosses(canvas: HTMLElement, view: View): void {
   const message = byId("scene-message");
   canvas.addEventListener("webglcontextlost", () => {
     message.hidden = false;
