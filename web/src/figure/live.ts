@@ -59,6 +59,7 @@ export async function bringToLife(choice: FigureChoice, hash: string, tell: (mes
   const moment_s = await open(session, choice, hash);
   const { run } = session;
   if (!run) throw session.fault ?? new Error("nothing is open");
+  if (choice.caption === "") document.title = byId("title").textContent = run.model.title;
   tell({ kind: "ready", title: run.model.title, duration_s: run.model.duration_s, columns: run.columns.names, settable: settableIn(session) });
   if (moment_s !== null) player.goTo(moment_s);
   return { take: (message) => obey(message, player, picture) };

@@ -23,6 +23,7 @@ class FigurePage {
     byId("caption").textContent = choice.caption;
     byId("caption").hidden = choice.caption === "";
     document.title = choice.caption || choice.scenario || document.title;
+    byId("title").textContent = document.title;
     this.start.setAttribute("aria-label", words.start);
     this.start.addEventListener("click", () => this.take({ kind: "play" }));
     byId("still").addEventListener("click", () => this.take({ kind: "play" }));
