@@ -114,12 +114,12 @@ export default {
     await page.waitForFunction(() => window.heard.some(({ type, value }) => type === "kingpost-changed" && value === 7));
     const frame = page.frames().find((one) => one.url().includes("scenario=paper") && one.url().includes("awake"));
     assert.equal(await frame.locator("#parameter-crane_x_m").inputValue(), "7");
-    const at = (await page.evaluate(() => document.getElementById("paper").row))["crane.position.x"];
+    const at = (await page.evaluate(() => document.getElementById("paper").row))["tower.position.x"];
     await page.evaluate(() => (document.getElementById("paper").camera = "top"));
     await goTo(page, "paper", 0.5);
     // A value that needs a new run keeps the time that the text shows.
     await page.evaluate(() => document.getElementById("paper").set("crane_x_m", -3));
-    await page.waitForFunction(() => document.getElementById("paper").row["crane.position.x"] < 0 && Math.abs(document.getElementById("paper").time - 0.5) < 1e-9);
+    await page.waitForFunction(() => document.getElementById("paper").row["tower.position.x"] < 0 && Math.abs(document.getElementById("paper").time - 0.5) < 1e-9);
     assert.equal(typeof at, "number");
     await page.evaluate(() => document.getElementById("paper").set("nonesuch", 1));
     await page.waitForFunction(() => window.heard.some(({ code, message }) => code === "name" && /nonesuch.*crane_x_m/.test(message)));
