@@ -10,7 +10,7 @@ export class Player {
   /** Time at the last picture, s. */
   private before_s = 0;
   private told = { time_s: NaN, isPlaying: false, poses: null as unknown };
-  private values = new Map<string, Value>();
+  private values: Map<string, Value>;
 
   constructor(
     private readonly session: Session,
@@ -18,6 +18,7 @@ export class Player {
     /** Called when the run starts to play. */
     private readonly started: () => void,
   ) {
+    this.values = new Map(settableIn(session).map(({ name, value }) => [name, value]));
     session.listen({
       valuesChanged: () => this.tellValues(),
       inputsChanged: () => this.tellValues(),
