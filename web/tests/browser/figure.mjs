@@ -1,18 +1,16 @@
 // Figures in an article on another origin: stills first, then runs with the numbers of the command line.
 import assert from "node:assert/strict";
-import { createHash } from "node:crypto";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { serve } from "../../scripts/serve.mjs";
-import { openPage } from "./app.mjs";
+import { openApp, openPage } from "./app.mjs";
 import { assertAccessible } from "./axe.mjs";
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 const article = readFileSync(here("article.html"), "utf8");
 const goldens = JSON.parse(readFileSync(here("../../../crates/kingpost/tests/golden/paper.json"), "utf8"));
-const kept = JSON.parse(readFileSync(here("../numbers.json"), "utf8"));
 /** Bytes of an article before the first touch, all of it uncompressed: the requirement on a page with six figures. */
 const MOST_BYTES = 150_000;
 
@@ -38,7 +36,6 @@ async function openArticle({ browser, address }, text = article, options = {}) {
 }
 
 const rowOf = (page, id) => page.evaluate((name) => Object.values(document.getElementById(name).row), id);
-const digest = (row) => createHash("sha256").update(new Uint8Array(Float64Array.from(row).buffer)).digest("hex");
 
 /** Sets the time of a figure, and waits until it is shown. */
 async function goTo(page, id, time_s) {
@@ -144,6 +141,49 @@ export default {
     await frame.getByTestId("play").click();
     assert.deepEqual(problems, []);
     await close();
+  },
+
+  async "a figure of a scenario file beside the page takes the files of its folder, and refuses one from another host"(host) {
+    const mine = readFileSync(here("../../../scenarios/chain.yaml"), "utf8").replace(/^title: .*/m, "title: A chain of mine");
+    // As on a static host: the article, the scenario and the app in one folder.
+    const { page, close } = await openPage(host, {
+      query: "article/",
+      prepare: async (context) => {
+        await context.route("**/article/", (route) => route.fulfill({ contentType: "text/html", body: `<!doctype html><html lang="en"><title>Mine</title><main><h1>Mine</h1><script src="../kingpost-figure.js"></script><kingpost-figure id="mine" scenario="mine.yaml" plot="base.position.z"></kingpost-figure><kingpost-figure id="other" scenario="https://other.example/mine.yaml"></kingpost-figure></main>` }));
+        await context.route("**/article/mine.yaml", (route) => route.fulfill({ contentType: "text/plain", body: mine }));
+      },
+    });
+    const title = await page.evaluate(() => new Promise((tell) => {
+      const figure = document.getElementById("mine");
+      figure.addEventListener("kingpost-ready", ({ detail }) => tell(detail.title));
+      figure.time = 0;
+    }));
+    assert.equal(title, "A chain of mine");
+    const refusal = await page.evaluate(() => new Promise((tell) => {
+      const figure = document.getElementById("other");
+      figure.addEventListener("kingpost-error", ({ detail }) => tell(detail.message));
+      figure.play();
+    }));
+    assert.match(refusal, /other\.example.*allowed: an address on the host of the app/);
+    await close();
+  },
+
+  async "the embed code of Share shows the run as a figure"(host) {
+    const { page, close } = await openApp(host);
+    await page.getByTestId("share").click();
+    await page.getByTestId("embed").locator("summary").click();
+    const code = await page.getByTestId("embed-code").inputValue();
+    assert.match(code, /scenario="paper"/);
+    assert.match(code, /set="motor_1=true; load=true; torque_history=pulse"/);
+    await page.getByTestId("embed-frame").check();
+    assert.match(await page.getByTestId("embed-code").inputValue(), /^<iframe src="[^"]*figure\.html\?scenario=paper&amp;/);
+    await assertAccessible(page, "the dialog with the embed code");
+    await close();
+
+    const own = await openArticle(host, `<!doctype html><html lang="en"><title>Embedded</title><main><h1>Embedded</h1>${code.replace("<kingpost-figure", '<kingpost-figure id="embedded"')}</main>`);
+    await goTo(own.page, "embedded", 2);
+    assert.deepEqual(await rowOf(own.page, "embedded"), goldens.find(({ name }) => name === "page").row);
+    await own.close();
   },
 
   async "the mark figure in the app's address leads to the figure page"(host) {
