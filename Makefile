@@ -152,8 +152,8 @@ $(NODE_MODULES): web/package.json web/package-lock.json | need-node
 $(WASM): $(ENGINE) $(call sources,crates/kingpost-wasm xtask) | need-rust
 	cargo xtask wasm
 
-$(APP): $(NODE_MODULES) $(WASM) $(GALLERY) $(call sources,web/src web/public web/vite) \
+$(APP): $(NODE_MODULES) $(WASM) $(GALLERY) $(call sources,web/src web/public web/vite web/figure/src) \
     python/kingpost/paper/equations.json \
-    $(wildcard web/*.html web/*.json web/*.ts)
+    $(wildcard web/*.html web/*.json web/*.ts web/figure/*.ts)
 	cd web && npm run build
 	@touch $@

@@ -12,8 +12,9 @@ from urllib.parse import urlsplit
 from urllib.request import urlopen
 
 import pytest
+from kingpost.cli import main
 from kingpost.server import listening, serve
-from served import PATIENCE_S, ask, fetch
+from served import PATIENCE_S, Answer, ask, fetch, running
 
 
 @pytest.mark.parametrize("path", ["assets/", "no/such/file", "../conftest.py", "scenarios/none.yaml"])
@@ -56,6 +57,49 @@ def test_every_answer_tells_the_browser_to_load_nothing_from_elsewhere(address):
         headers = fetch(address, path).headers
         assert headers["X-Content-Type-Options"] == "nosniff"
         assert "default-src 'self'" in headers["Content-Security-Policy"]
+
+
+@pytest.mark.parametrize("path", ["", "index.html", "scenarios/index.json", "nonesuch", "figure.html"])
+def test_without_an_allowed_origin_no_page_may_be_framed_by_another_site(address, path):
+    """Source: Content Security Policy Level 3, section 6.4.2."""
+    assert ancestors_of(fetch(address, path)) == "frame-ancestors 'self'"
+
+
+@pytest.mark.parametrize(
+    ("path", "allowed"),
+    [
+        ("figure.html", "frame-ancestors 'self' https://ship.example http://[::1]:8001"),
+        ("", "frame-ancestors 'self'"),
+        ("index.html", "frame-ancestors 'self'"),
+        ("assets/figure.html", "frame-ancestors 'self'"),
+    ],
+)
+def test_an_allowed_origin_may_frame_the_figure_page_alone(app, path, allowed):
+    """Source: Content Security Policy Level 3, section 6.4.2."""
+    (app / "figure.html").write_text("<!doctype html><title>Kingpost</title>")
+    origins = ("https://ship.example", "http://[::1]:8001")
+    with serve.open_server(app, {}, serve.LOOPBACK, 0, framed_by=origins) as server:
+        for place in running(server):
+            assert ancestors_of(fetch(place, path)) == allowed
+            known = fetch(place, path).headers["ETag"]
+            assert ancestors_of(fetch(place, path, known=known)) == allowed
+
+
+@pytest.mark.parametrize(
+    "origin", ["*", "ship.example", "https://a.example/page", "https://a b", "https://a;b"]
+)
+def test_what_is_no_origin_is_refused_in_one_line(app, origin, capsys):
+    """Source: the public contract; with a space or a semicolon it would change the policy."""
+    assert main(["serve", "--embed-in", origin, "--port", "0", "--check"]) == 2
+    shown = capsys.readouterr().err
+    assert shown.count("\n") == 1
+    assert "--embed-in: found" in shown
+    assert "https://example.org" in shown
+
+
+def ancestors_of(answer: Answer) -> str:
+    """The part of the answer's policy that names the pages that may frame it."""
+    return answer.headers["Content-Security-Policy"].split("; ")[-1]
 
 
 def test_the_body_of_a_request_is_not_read_as_the_next_request(address):

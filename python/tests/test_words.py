@@ -19,6 +19,9 @@ READ = [
         "tools/*.py",
         "web/src/**/*.ts",
         "web/index.html",
+        "web/figure/**/*.ts",
+        "web/figure/*.md",
+        "web/figure.html",
     ),
     *("crates/*/src/**/*.rs", "schema/*.json"),
 ]

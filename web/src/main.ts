@@ -1,4 +1,5 @@
 import "./styles/main.css";
+import { figurePageFor } from "./app/address";
 import { faultOfSize } from "./app/faults";
 import { Gallery } from "./app/gallery";
 import { Pages } from "./app/pages";
@@ -9,27 +10,33 @@ import { StartPage } from "./start/start";
 import { fillPage } from "./texts/page";
 import { enableFiles } from "./ui/files";
 
-fillPage();
-enablePalettes();
-const gallery = Gallery.load(document.baseURI);
-const loadSimulator = () => import("./simulator");
-const start = new StartPage(
-  (query) => pages.open(query),
-  () => void loadSimulator().catch(() => undefined),
-);
-const pages: Pages = new Pages(
-  start,
-  async () => {
-    const { startSimulator } = await loadSimulator();
-    void keepOffline();
-    return startSimulator(gallery);
-  },
-  gallery.then(({ opening }) => opening).catch(() => undefined),
-);
-gallery.then((known) => start.offer(known)).catch((fault: Fault) => start.lack(fault.message));
-watchOffline();
-enableFiles(
-  (texts) => void pages.openFiles(texts),
-  (file, most_bytes) => pages.report(faultOfSize(file, most_bytes)),
-);
-void pages.show(null);
+const figure_page = figurePageFor(location);
+if (figure_page === null) begin();
+else location.replace(figure_page);
+
+function begin(): void {
+  fillPage();
+  enablePalettes();
+  const gallery = Gallery.load(document.baseURI);
+  const loadSimulator = () => import("./simulator");
+  const start = new StartPage(
+    (query) => pages.open(query),
+    () => void loadSimulator().catch(() => undefined),
+  );
+  const pages: Pages = new Pages(
+    start,
+    async () => {
+      const { startSimulator } = await loadSimulator();
+      void keepOffline();
+      return startSimulator(gallery);
+    },
+    gallery.then(({ opening }) => opening).catch(() => undefined),
+  );
+  gallery.then((known) => start.offer(known)).catch((fault: Fault) => start.lack(fault.message));
+  watchOffline();
+  enableFiles(
+    (texts) => void pages.openFiles(texts),
+    (file, most_bytes) => pages.report(faultOfSize(file, most_bytes)),
+  );
+  void pages.show(null);
+}

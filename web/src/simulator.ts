@@ -94,7 +94,7 @@ function buildPage(session: Session, startClient: () => EngineClient, rest: Rest
   showAbout(session);
   enableSwitcher();
   enableSaving(session);
-  enableSharing(session);
+  enableSharing(session, () => ({ plot: plots.first, camera: scene.viewpoint() }));
   const levers = new Levers(session);
   new Controls(session, () => levers.ask());
   new Settings(session);

@@ -74,6 +74,11 @@ it("reads parts of the gallery from its folder, also for a user's scenario", asy
     "gallery:parts/crane.yaml": "the gallery's",
     "own.yaml": "the gallery's own",
   });
+  const beside = new ScenarioFiles("https://ships.example/mine/", async (url) => (url.endsWith("/own.yaml") ? "beside" : null));
+  expect(await textsOf(names, null, files, beside)).toEqual({
+    "gallery:parts/crane.yaml": "the gallery's",
+    "own.yaml": "beside",
+  });
 });
 
 it("finds files that were opened with a scenario, ignoring the folders in their names", () => {

@@ -5,8 +5,10 @@ import ts from "typescript";
 import { describe, expect, it } from "vitest";
 import { isInEnglish, OF_PAGE } from "../src/engine/faults";
 import * as en from "../src/texts/en";
+import * as englishOfFigures from "../src/texts/en/figure";
 import { languageOf } from "../src/texts/language";
 import * as nb from "../src/texts/nb";
+import * as norwegianOfFigures from "../src/texts/nb/figure";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -25,8 +27,9 @@ function written(text: unknown): string[] {
   return [given(1), given(2)].map((values) => String(text(...values)));
 }
 
-const english = new Map(leaves(en));
-const norwegian = new Map(leaves(nb));
+/** Texts of the figure page, which loads no others. */
+const english = new Map(leaves({ ...en, ...englishOfFigures }));
+const norwegian = new Map(leaves({ ...nb, ...norwegianOfFigures }));
 /** Texts that are equal in both languages: names, symbols, units, and words. */
 const SAME = [
   "equations.names.B_dot", "exports.parquet", "exports.plot", "exports.save", "floating.trim", "page.name", "page.scenario", "page.title", "picture.scale.moment", "plots.arm_axis", 
@@ -127,6 +130,8 @@ const FOR_PROGRAMS = [
   "export/run_files.ts: paused at § s",
   "export/run_files.ts: world: z up, x forward, y to port; body: at its centre of mass, ship x forward, y to port",
   "export/run_files.ts: § of about § rows",
+  "figure/live.ts: kingpost figures",
+  "figure/port.ts: the message is not one of this version of the figure",
   "levers/keys.ts: input, select, textarea, dialog, [contenteditable]",
   "offline/leave.ts: kingpost §",
   "offline/worker.ts: kingpost §",
@@ -135,6 +140,7 @@ const FOR_PROGRAMS = [
   "plots/spectrum_chart.ts: § rad/s",
   "plots/time_chart.ts: in §",
   "plots/view_dialog.ts: last §",
+  'share/embed.ts: <iframe src="§" title="§" width="§" height="§" loading="lazy" style="border: 0; max-width: 100%"></iframe>',
   "ui/alert.ts: no file ",
 ];
 

@@ -8,7 +8,7 @@ from http import HTTPStatus
 from pathlib import Path
 from typing import Any
 
-from .bodies import POLICY, Body, Compressor, accepts_gzip, content_type, is_host_of
+from .bodies import Body, Compressor, accepts_gzip, content_type, is_host_of, policy
 
 METHODS = ("GET", "HEAD")
 Start = Callable[[str, list[tuple[str, str]]], Any]
@@ -26,16 +26,20 @@ class Application:
         The scenarios: contents by URL path; they take precedence over files.
     named
         Given host on which the server listens.
+    framed_by
+        Origins of pages that may show the figure page in a frame.
     """
 
     folder: Path
     pages: Mapping[str, bytes]
     named: str
+    framed_by: tuple[str, ...] = ()
     compressor: Compressor = field(default_factory=Compressor)
 
     def __call__(self, environ: dict[str, Any], start: Start) -> Iterable[bytes]:
         """Answer one request. A body that the browser already has is not sent again."""
-        answer = self._answer(environ, start)
+        security = policy(_path(environ), self.framed_by)
+        answer = self._answer(environ, lambda status, headers: start(status, [*headers, *security.items()]))
         return [] if environ["REQUEST_METHOD"] == "HEAD" else answer
 
     def _answer(self, environ: dict[str, Any], start: Start) -> list[bytes]:
@@ -43,8 +47,7 @@ class Application:
             return _refused(start, HTTPStatus.METHOD_NOT_ALLOWED, {"Allow": ", ".join(METHODS)})
         if not is_host_of(environ.get("HTTP_HOST"), self.named):
             return _refused(start, HTTPStatus.MISDIRECTED_REQUEST)
-        path = environ.get("PATH_INFO", "").encode("latin-1").decode("utf-8", "replace")
-        body = self._body(path, accepts_gzip(environ.get("HTTP_ACCEPT_ENCODING")))
+        body = self._body(_path(environ), accepts_gzip(environ.get("HTTP_ACCEPT_ENCODING")))
         if body is None:
             return _refused(start, HTTPStatus.NOT_FOUND)
         if body.tag in environ.get("HTTP_IF_NONE_MATCH", ""):
@@ -70,10 +73,14 @@ class Application:
             return None
 
 
+def _path(environ: Mapping[str, Any]) -> str:
+    """Return the URL path of a request."""
+    return str(environ.get("PATH_INFO", "")).encode("latin-1").decode("utf-8", "replace")
+
+
 def _begin(start: Start, status: HTTPStatus, headers: Mapping[str, str]) -> None:
-    """Start the answer, with headers by which the browser keeps no older build and loads nothing from other
-    sites."""
-    every = {**headers, "Cache-Control": "no-cache", **POLICY}
+    """Start the answer, with a header by which the browser keeps no older build."""
+    every = {**headers, "Cache-Control": "no-cache"}
     start(f"{status.value} {status.phrase}", list(every.items()))
 
 

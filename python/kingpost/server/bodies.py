@@ -9,6 +9,7 @@ import gzip
 import hashlib
 import re
 import threading
+from collections.abc import Iterable
 from dataclasses import dataclass
 from ipaddress import ip_address
 from pathlib import Path
@@ -31,24 +32,20 @@ TYPES = {
 PICTURES = {".webp": "image/webp", ".png": "image/png"}
 """MIME types of compressed content."""
 
-POLICY = {
-    "X-Content-Type-Options": "nosniff",
-    "Referrer-Policy": "no-referrer",
-    "Content-Security-Policy": "; ".join(
-        (
-            "default-src 'self'",
-            "script-src 'self' 'wasm-unsafe-eval'",
-            "style-src 'self' 'unsafe-inline'",
-            "img-src 'self' data: blob:",
-            "worker-src 'self' blob:",
-            "object-src 'none'",
-            "base-uri 'none'",
-            "form-action 'none'",
-            "frame-ancestors 'self'",
-        )
-    ),
-}
-"""Security headers of every answer: no guessing of MIME types, no content from other sites."""
+CONTENT_POLICY = (
+    "default-src 'self'",
+    "script-src 'self' 'wasm-unsafe-eval'",
+    "style-src 'self' 'unsafe-inline'",
+    "img-src 'self' data: blob:",
+    "worker-src 'self' blob:",
+    "object-src 'none'",
+    "base-uri 'none'",
+    "form-action 'none'",
+)
+"""Content security policy of every answer, without the pages that may frame it."""
+
+FIGURE_PAGE = "/figure.html"
+"""URL path of the page that other sites may show in a frame."""
 
 PLAIN_TEXT = "text/plain; charset=utf-8"
 # Content of these types is not yet compressed, unlike pictures.
@@ -101,6 +98,34 @@ def is_host_of(header: str | None, named: str) -> bool:
     except ValueError:
         return False
     return True
+
+
+def policy(path: str, framed_by: Iterable[str] = ()) -> dict[str, str]:
+    """Security headers of the answer for a URL path: no guessing of MIME types, no content from other sites.
+
+    Pages of the origins `framed_by` may show the figure page in a frame, and no other page.
+
+    >>> policy("/figure.html", ["https://ship.example"])["Content-Security-Policy"].split("; ")[-1]
+    "frame-ancestors 'self' https://ship.example"
+    >>> policy("/", ["https://ship.example"])["Content-Security-Policy"].split("; ")[-1]
+    "frame-ancestors 'self'"
+    """
+    origins = list(framed_by) if path == FIGURE_PAGE else []
+    ancestors = " ".join(["frame-ancestors", "'self'", *origins])
+    return {
+        "X-Content-Type-Options": "nosniff",
+        "Referrer-Policy": "no-referrer",
+        "Content-Security-Policy": "; ".join([*CONTENT_POLICY, ancestors]),
+    }
+
+
+def is_origin(text: str) -> bool:
+    """Whether a text is the origin of web pages: a scheme, a host and a port if it is not the usual one.
+
+    >>> [is_origin(text) for text in ("https://ship.example", "http://[::1]:8080", "ship.example", "*")]
+    [True, True, False, False]
+    """
+    return re.fullmatch(r"https?://([a-zA-Z0-9.-]+|\[[0-9a-fA-F:.]+\])(:\d{1,5})?", text) is not None
 
 
 @dataclass(frozen=True)

@@ -6,6 +6,7 @@ import errno
 import json
 import re
 import threading
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
@@ -16,18 +17,29 @@ from ..engine import engine
 from ..errors import KingpostError, shortened
 from ..scenario import load
 from .application import Application
-from .bodies import content_type
+from .bodies import content_type, is_origin
 from .listening import LOOPBACK, Server, from_here, reachable
 
 FIRST_PORT = 8000
 PORTS_TRIED = 100
 
 
-def command(scenario: str | None, port: int | None, host: str | None, check: bool) -> int:
-    """Serve the app until Ctrl-C; with `check`, fetch it once over HTTP and end."""
+def command(
+    scenario: str | None, port: int | None, host: str | None, check: bool, embed_in: Sequence[str] = ()
+) -> int:
+    """Serve the app until Ctrl-C; with `check`, fetch it once over HTTP and end.
+
+    Pages of the origins `embed_in` may show the figure page in a frame.
+    """
     host = host or None
+    for origin in embed_in:
+        if not is_origin(origin):
+            found = shortened(repr(origin))
+            raise KingpostError(f"--embed-in: found {found}, allowed: an origin such as https://example.org")
     files, chosen = scenarios(scenario)
-    server = open_server(app_folder(), files, host or LOOPBACK, port, databases(scenario), chosen)
+    server = open_server(
+        app_folder(), files, host or LOOPBACK, port, databases(scenario), chosen, tuple(embed_in)
+    )
     query = f"?scenario={quote(chosen)}" if chosen else ""
     address = f"http://{reachable(host)}:{server.server_port}/{query}"
     with server:
@@ -119,11 +131,12 @@ def open_server(
     port: int | None,
     databases: dict[str, str] | None = None,
     chosen: str | None = None,
+    framed_by: tuple[str, ...] = (),
 ) -> Server:
     """Listen on `port`, or on the first free port from 8000.
 
     Serves the folder, and under `scenarios/` the scenarios and the databases that they name; the page opens
-    the chosen scenario.
+    the chosen scenario. Pages of the origins `framed_by` may show the figure page in a frame.
 
     Raises
     ------
@@ -137,7 +150,7 @@ def open_server(
     ports = range(FIRST_PORT, FIRST_PORT + PORTS_TRIED) if port is None else [port]
     for candidate in ports:
         try:
-            return Server((host, candidate), Application(folder, pages, host))
+            return Server((host, candidate), Application(folder, pages, host, framed_by))
         except (TypeError, UnicodeError):
             found = shortened(repr(host))
             raise KingpostError(f"--host: found {found}, allowed: an address of this machine") from None

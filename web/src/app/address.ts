@@ -38,7 +38,21 @@ export function asksForStart({ search, hash }: Pick<Location, "search" | "hash">
   return search === "" && !holdsRun(hash) && opening === undefined;
 }
 
-function valueOf(text: string): Value {
+/** Page of a figure, beside the page of the app: servers can allow frames for it alone. */
+export const FIGURE_PAGE = "figure.html";
+/** Name in the query of the app's page that leads to the figure page. */
+const FIGURE = "figure";
+
+/** Returns the address of the figure page for an address of the app's page that asks for it; null for any other. */
+export function figurePageFor({ search, hash }: Pick<Location, "search" | "hash">): string | null {
+  const query = new URLSearchParams(search);
+  if (!query.has(FIGURE)) return null;
+  query.delete(FIGURE);
+  return `${FIGURE_PAGE}?${query}${hash}`;
+}
+
+/** Reads a value in an address: a boolean, a number or a text. */
+export function valueOf(text: string): Value {
   if (text === "true" || text === "false") return text === "true";
   return text.trim() !== "" && Number.isFinite(Number(text)) ? Number(text) : text;
 }

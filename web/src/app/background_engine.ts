@@ -82,7 +82,7 @@ export class BackgroundEngine {
     this.client ??= this.startClient();
     if (this.held?.source !== source || this.held.overrides !== overrides) {
       this.held = null;
-      await this.client.open(source.text, source.file, overrides, source.opened ?? null);
+      await this.client.open(source.text, source.file, overrides, source.opened ?? null, [], source.folder);
       this.held = { source, overrides };
     }
     return this.client;

@@ -32,6 +32,8 @@ export interface Source {
   file: string;
   /** Texts of the files that were opened with the scenario, by name; left out for a scenario of the gallery. */
   opened?: Record<string, string>;
+  /** Address of the folder with the files that the scenario names; left out for the gallery's folder. */
+  folder?: string;
   /** Name of the scenario in the gallery; left out for other scenarios. */
   gallery?: string;
   /** Changes that a link holds; the run makes them again. */

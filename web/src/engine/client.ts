@@ -30,7 +30,7 @@ export class EngineClient {
   private lost: Fault | null = null;
   private timer: ReturnType<typeof setInterval> | undefined;
 
-  /** `folder` is the address of the folder with the files that scenarios name. */
+  /** `folder` is the address of the gallery's folder, with the files that scenarios name. */
   constructor(
     private readonly startWorker: () => Worker,
     private readonly folder: string,
@@ -40,7 +40,8 @@ export class EngineClient {
 
   /**
    * Opens a scenario. `opened` holds the texts of the files that were opened with it, by name; null for a scenario of
-   * the gallery. `changes` are made at their times.
+   * the gallery. `changes` are made at their times. `beside` is the address of the folder with the scenario's files, if
+   * that is not the gallery's.
    */
   open(
     text: string,
@@ -48,8 +49,9 @@ export class EngineClient {
     overrides: Values,
     opened: Record<string, string> | null,
     changes: readonly Change[] = [],
+    beside?: string,
   ): Promise<Replies["open"]> {
-    return this.ask({ kind: "open", text, file, overrides, opened, changes, folder: this.folder });
+    return this.ask({ kind: "open", text, file, overrides, opened, changes, folder: this.folder, beside });
   }
 
   advance(wall_s: number, speed: number, until_s = Infinity): Promise<Replies["advance"]> {

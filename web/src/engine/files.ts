@@ -39,14 +39,13 @@ export async function gathered(
 
 /**
  * Returns the texts of the named files. A name with the gallery's prefix is read from the gallery's folder. Any other
- * is one of the files that were opened with the scenario, or a file in the gallery's folder if the scenario is from the
- * gallery.
+ * is one of the files that were opened with the scenario, or otherwise a file in the scenario's folder `own`.
  */
-export async function textsOf(names: readonly string[], opened: Texts | null, gallery: ScenarioFiles): Promise<Texts> {
-  const own = names.filter((name) => !isOfGallery(name));
+export async function textsOf(names: readonly string[], opened: Texts | null, gallery: ScenarioFiles, own = gallery): Promise<Texts> {
+  const beside = names.filter((name) => !isOfGallery(name));
   const shared = names.filter(isOfGallery).map((name) => name.slice(GALLERY.length));
   const found = Object.entries(await gallery.take(shared)).map(([name, text]) => [GALLERY + name, text]);
-  return { ...Object.fromEntries(found), ...(opened ? openedWith(own, opened) : await gallery.take(own)) };
+  return { ...Object.fromEntries(found), ...(opened ? openedWith(beside, opened) : await own.take(beside)) };
 }
 
 /** Returns those of the named files that were opened with the scenario; folders in the names are ignored. */

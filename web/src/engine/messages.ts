@@ -13,6 +13,8 @@ export interface OpenRequest {
   changes: readonly Change[];
   /** Address of the folder with the files that the gallery's scenarios name. */
   folder: string;
+  /** Address of the folder with the files that this scenario names; left out for the gallery's folder. */
+  beside?: string;
 }
 
 export type Request =

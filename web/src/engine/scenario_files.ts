@@ -17,12 +17,17 @@ export function fileNames(text: string, file = "", overrides: Values = {}, texts
 export class FilesOfScenarios {
   private readonly folders = new Map<string, ScenarioFiles>();
 
-  of({ text, file, overrides, opened, folder }: Omit<OpenRequest, "kind" | "changes">): Promise<Record<string, string>> {
-    const known = this.folders.get(folder) ?? new ScenarioFiles(folder, fetchText);
-    this.folders.set(folder, known);
+  of({ text, file, overrides, opened, folder, beside }: Omit<OpenRequest, "kind" | "changes">): Promise<Record<string, string>> {
+    const [shared, own] = [this.in(folder), this.in(beside ?? folder)];
     return gathered(
       (texts) => fileNames(text, file, overrides, texts),
-      (names) => textsOf(names, opened, known),
+      (names) => textsOf(names, opened, shared, own),
     );
+  }
+
+  private in(folder: string): ScenarioFiles {
+    const known = this.folders.get(folder) ?? new ScenarioFiles(folder, fetchText);
+    this.folders.set(folder, known);
+    return known;
   }
 }

@@ -83,6 +83,11 @@ export class Plots {
     return this.plots;
   }
 
+  /** Ids of the lines of the first plot over time. */
+  get first(): string[] {
+    return this.view?.plots.find(({ kind }) => kind === "time")?.lines ?? [];
+  }
+
   private touch(): void {
     for (const plot of this.plots) plot.touch();
   }

@@ -4,6 +4,9 @@ import { asFault } from "../engine/engine";
 import { isOfEngine } from "../engine/faults";
 import { texts } from "../texts";
 import { make } from "../ui/dom";
+import { figureOf } from "./embed";
+import type { Shown } from "./embed";
+import { EmbedFields } from "./embed_fields";
 import { hashOf } from "./link";
 import { sharedRun } from "./making";
 import type { SharedRun } from "./shared_run";
@@ -20,9 +23,14 @@ export class ShareDialog {
   private readonly send = button(words.send, "share-send");
   private readonly done = make("p", { role: "status", class: "share-done", "data-testid": "share-done" });
   private readonly qr = make("div", { class: "share-qr", "data-testid": "share-qr" });
+  private readonly embed = new EmbedFields();
   private readonly dialog = this.made();
 
-  constructor(private readonly session: Session) {
+  constructor(
+    private readonly session: Session,
+    /** Returns the plot and viewpoint that are shown, for a figure of the run. */
+    private readonly shown: () => Shown,
+  ) {
     document.body.append(this.dialog);
     this.copy.addEventListener("click", () => void this.toClipboard());
     this.send.addEventListener("click", () => void this.toOthers());
@@ -39,6 +47,7 @@ export class ShareDialog {
       const hash = await hashOf(run);
       this.say(this.wordsOf(run));
       this.show(location.origin + location.pathname + hash);
+      this.embed.show(figureOf(run, this.session.run?.model.title ?? "", this.shown(), hash));
       await this.showQr();
     } catch (fault) {
       if (isOfEngine(fault)) this.dialog.close();
@@ -51,7 +60,7 @@ export class ShareDialog {
     const heading = make("h2", { id: "share-title" }, words.title);
     const head = make("div", { class: "share-head" }, heading, close);
     const buttons = make("div", { class: "share-buttons" }, this.copy, this.send);
-    const dialog = make("dialog", { class: "share", "aria-labelledby": "share-title", "data-testid": "share-dialog" }, head, this.says, this.field, buttons, this.done, this.qr);
+    const dialog = make("dialog", { class: "share", "aria-labelledby": "share-title", "data-testid": "share-dialog" }, head, this.says, this.field, buttons, this.done, this.qr, this.embed.element);
     close.addEventListener("click", () => dialog.close());
     // Closes the dialog after a click outside it: the dialog has no padding, so a click on the element itself is on the
     // backdrop.
@@ -78,7 +87,7 @@ export class ShareDialog {
   /** Shows the link; a page without a secure connection cannot use the clipboard or send the link to other programs. */
   private show(link: string): void {
     this.field.value = link;
-    this.field.hidden = link === "";
+    this.field.hidden = this.embed.element.hidden = link === "";
     this.copy.hidden = link === "" || !navigator.clipboard;
     this.send.hidden = link === "" || !navigator.canShare?.({ url: link });
     this.done.textContent = link !== "" && !navigator.clipboard ? words.copy_by_hand : "";

@@ -1,13 +1,14 @@
 import type { Session } from "../app/session";
 import { byId } from "../ui/dom";
 import type { ShareDialog } from "./dialog";
+import type { Shown } from "./embed";
 
 /** Makes the Share button open a link to the present run; its code is loaded at the first use. */
-export function enableSharing(session: Session): void {
+export function enableSharing(session: Session, shown: () => Shown): void {
   const button = byId("share", HTMLButtonElement);
   let dialog: Promise<ShareDialog> | null = null;
   button.addEventListener("click", () => {
-    dialog ??= import("./dialog").then(({ ShareDialog }) => new ShareDialog(session));
+    dialog ??= import("./dialog").then(({ ShareDialog }) => new ShareDialog(session, shown));
     void dialog.then(
       (loaded) => loaded.open(),
       (why: unknown) => {

@@ -4,6 +4,7 @@ import type { Post } from "./craft/craft";
 import { cornersOf, fitDistance, frame, roomIn, unit } from "./fit";
 import type { Area, Box, Vec3 } from "./fit";
 import { Outlook } from "./outlook";
+import type { Place } from "./viewpoint";
 
 /**
  * Default direction from the target to the eye: from the starboard quarter and above, with the crane near and the bow
@@ -190,6 +191,22 @@ export class Eye {
 
   get target(): Vector3 {
     return this.orbit.target;
+  }
+
+  /** Positions of the eye and its target relative to the body that the camera follows. */
+  get place(): Place {
+    const from = ({ x, y, z }: Vector3): Vec3 => [x - this.root[0], y - this.root[1], z - this.root[2]];
+    return { eye: from(this.camera.position), target: from(this.orbit.target) };
+  }
+
+  set place({ eye, target }: Place) {
+    this.isTaken = true;
+    const root = new Vector3(...this.root);
+    this.stopSwinging();
+    this.orbit.target.set(...target).add(root);
+    this.camera.position.set(...eye).add(root);
+    this.orbit.update();
+    this.moved();
   }
 
   /** Vertical field of view, rad. */

@@ -24,6 +24,8 @@ export interface Scene {
   foresee(outlook: Outlook | null): void;
   /** Returns the present picture; copy it at once, because a browser soon clears it. */
   picture(): HTMLCanvasElement | null;
+  /** Returns the viewpoint as a text. */
+  viewpoint(): string;
 }
 
 /**
@@ -38,7 +40,7 @@ export function createScene(session: Session, background: BackgroundEngine): Sce
     const message = byId("scene-message");
     message.hidden = false;
     message.textContent = texts.picture.no_graphics;
-    return { draw: () => false, highlight() {}, foresee() {}, picture: () => null };
+    return { draw: () => false, highlight() {}, foresee() {}, picture: () => null, viewpoint: () => "free" };
   }
   showLosses(byId("canvas"), view);
   const watched = new Watched(session, background, view);
@@ -86,6 +88,7 @@ export function createScene(session: Session, background: BackgroundEngine): Sce
     highlight: (what) => view.highlight(what),
     foresee: (outlook) => (due = () => view.showCloud(outlook && session.run && swarmOf(outlook, session.run))),
     picture: () => view.picture(),
+    viewpoint: () => view.viewpoint,
   };
 }
 
@@ -93,7 +96,7 @@ export function createScene(session: Session, background: BackgroundEngine): Sce
  * Returns a function for the time of the picture: during a run slightly earlier than the newest frame, otherwise the
  * moment that is shown.
  */
-function follow(session: Session): () => number {
+export function follow(session: Session): () => number {
   const playback = new Playback();
   const wall_s = () => performance.now() / 1000;
   const jump = () => playback.begin(session.shown.time_s, wall_s());
@@ -109,7 +112,7 @@ function follow(session: Session): () => number {
  * Reports that the browser has dropped the graphics context, and repaints after it is restored, because it is then
  * empty.
  */
-function showLosses(canvas: HTMLElement, view: View): void {
+export function showLosses(canvas: HTMLElement, view: View): void {
   const message = byId("scene-message");
   canvas.addEventListener("webglcontextlost", () => {
     message.hidden = false;

@@ -28,6 +28,10 @@ import { withFrame } from "./solids";
 import { gridSpacing } from "./spacing";
 import type { Tints } from "./tension";
 import { labelScale, triadOf } from "./triad";
+import { CAMERAS, textOfPlace } from "./viewpoint";
+import type { CameraName, Place } from "./viewpoint";
+
+export type { CameraName };
 
 /** Largest height of a label of a body frame, pixels. */
 const LABEL_PX = 58;
@@ -37,10 +41,6 @@ const FRAME_LENGTH = 0.14;
 
 /** Density of the fog under water, times the longest diagonal of a body. */
 const FOG = 0.22;
-
-/** Names of the viewpoints. */
-const CAMERAS = ["free", "load", "cab", "bridge", "top", "section"] as const;
-export type CameraName = (typeof CAMERAS)[number];
 
 /** Directions of the views; the view from above is slightly tilted to starboard, so that the bow is to the right. */
 const FROM: Partial<Record<CameraName, Vec3>> = { top: [0, -0.002, 1], section: [0, -1, 0.1] };
@@ -148,6 +148,18 @@ export class View {
     else if (from === "bridge" && craft?.bridge) this.eye.standAt(craft.bridge, null);
     else this.eye.lookFrom(FROM[from]);
     this.stale = true;
+  }
+
+  /** Shows the view from a place near the first body. */
+  lookAt(place: Place): void {
+    this.look("free");
+    this.eye.place = place;
+    this.stale = true;
+  }
+
+  /** Returns the viewpoint as a text: its name, or the place to which the user has moved the eye. */
+  get viewpoint(): string {
+    return this.camera === "free" && this.eye.isTaken ? textOfPlace(this.eye.place) : this.camera;
   }
 
   /** Calls a listener when the viewpoint changes. */

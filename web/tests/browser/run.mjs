@@ -5,6 +5,7 @@ import { fileURLToPath } from "node:url";
 import { findBrowser, launch } from "../../scripts/browser.mjs";
 import { serve } from "../../scripts/serve.mjs";
 import addresses from "./address.mjs";
+import figure from "./figure.mjs";
 import forecast from "./forecast.mjs";
 import controls from "./controls.mjs";
 import faults from "./faults.mjs";
@@ -45,7 +46,7 @@ if (!existsSync(DIST)) {
 }
 
 const wanted = process.argv[2] ?? "";
-const SUITES = [start, scenarios, numbers, recording, controls, gestures, faults, layout, languages, addresses, losses, saving, sea, panels, physics, levers, picture, plots, sharing, offline, forecast];
+const SUITES = [start, scenarios, numbers, recording, controls, gestures, faults, layout, languages, addresses, losses, saving, sea, panels, physics, levers, picture, plots, sharing, figure, offline, forecast];
 const tests = SUITES.flatMap((suite) => Object.entries(suite)).filter(([name]) => name.includes(wanted));
 // A path below the root, as on many static hosts.
 const { address, stop } = await serve(DIST, "/a/folder/");

@@ -58,8 +58,8 @@ export class Opening {
   }
 
   /** Reads a scenario; if the engine of the present run has died, a new engine reads it. */
-  private async read({ text, file, opened, changes }: Source, overrides: Values): Promise<Opened> {
-    const answer = () => this.client.open(text, file, overrides, opened ?? null, changes);
+  private async read({ text, file, opened, changes, folder }: Source, overrides: Values): Promise<Opened> {
+    const answer = () => this.client.open(text, file, overrides, opened ?? null, changes, folder);
     return answer().catch((fault: Fault) => {
       if (!this.state.run || !isOfEngine(fault)) throw fault;
       return answer();
