@@ -101,7 +101,7 @@ export class View {
     this.seabed.place(run.lines, frame.line_points);
     this.fleet.tint(this.tints);
     const axes = this.framesShown ? FRAME_LENGTH * this.fleet.size : 0;
-    this.eye.watch(this.fleet.drawn.map((box) => withFrame(box, 1.3 * axes)), frame.poses);
+    this.eye.watch(this.fleet.drawn.map((box) => withFrame(box, 1.3 * axes)), frame.poses, this.start.poses);
     if (axes > 0) this.addFrames(axes);
     this.ground.space(this.spacing());
     this.ground.visible = shipsInTheSea(run.model).length === 0;
