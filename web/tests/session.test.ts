@@ -290,6 +290,31 @@ describe("sessions", () => {
     log.mockRestore();
   });
 
+  it("keeps a start before the first scenario is open, and while another scenario is loading", async () => {
+    session = new Session(clientOf(openings));
+    session.start();
+    await session.open(good, {});
+    expect(session.status).toBe("running");
+    const loaded = turns().then(() => good);
+    const opened = session.open(loaded, { load: true });
+    expect(session.status).toBe("paused");
+    session.start();
+    expect(session.isGoing).toBe(true);
+    expect(session.status).toBe("paused");
+    await opened;
+    await turns();
+    expect(session.status).toBe("running");
+    expect(openings.at(-1)).toEqual({ load: true });
+  });
+
+  it("drops a start of a scenario that does not load, and keeps the present run paused", async () => {
+    const opened = session.open(Promise.reject({ kind: "network", message: "no file" }), {});
+    session.start();
+    expect(await opened).toBe(false);
+    expect(session.fault).toMatchObject({ kind: "network" });
+    expect([session.status, session.isGoing]).toEqual(["idle", false]);
+  });
+
   it("a run whose engine is lost starts again with the same values, and reports it", async () => {
     const client = clientOf(openings);
     session = new Session(client);

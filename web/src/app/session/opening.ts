@@ -41,17 +41,22 @@ export class Opening {
     return this.turns.isBusy || this.client.isAsked;
   }
 
-  /** Opens another scenario; if it cannot be read, the present run stays. */
-  open(source: Source, overrides: Values): Promise<boolean> {
-    this.player.pause();
+  /** Opens another scenario, which may still be loading; if it cannot be read, the present run stays. */
+  open(asked: Source | Promise<Source>, overrides: Values): Promise<boolean> {
+    // Before the first scenario there is no run to pause, and a request to start is for this one.
+    if (this.state.status !== "loading") this.player.pause();
     this.player.dropSteering();
+    const loaded = Promise.resolve(asked).catch(asFault);
     return this.turns.take(async () => {
+      const source = await loaded;
       try {
+        if ("kind" in source) throw source;
         this.accept(await this.read(source, overrides), { ...overrides }, source);
         return true;
       } catch (fault) {
-        this.due = null;
-        this.refuseOpening(source, overrides, asFault(fault));
+        if (this.due) this.intend(null);
+        if ("kind" in source) this.state.report(source);
+        else this.refuseOpening(source, overrides, asFault(fault));
         return false;
       }
     });

@@ -12,6 +12,7 @@ export const transport = {
   fastest_help: "As fast as possible",
   reset_to_apply: "Reset to apply the changes.",
   loading: "Loading the engine…",
+  starts_then: "Starts when it is loaded.",
   try_again: "Reset tries again.",
   open_one: "Open a scenario.",
   stopped: (time_s: string) => `Stopped at ${time_s} s. Reset to start again.`,

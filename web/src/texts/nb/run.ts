@@ -14,6 +14,7 @@ export const transport: Texts["transport"] = {
   fastest_help: "Så fort som mulig",
   reset_to_apply: "Nullstill for å ta i bruk endringene.",
   loading: "Laster beregningsmotoren…",
+  starts_then: "Starter når alt er lastet.",
   try_again: "Nullstill prøver igjen.",
   open_one: "Åpne et scenario.",
   stopped: (time_s) => `Stoppet ved ${time_s} s. Nullstill for å starte på nytt.`,
