@@ -9,6 +9,9 @@ const READ = [
   "hook_load", "clearance", "air_gap", "_utilisation",
   "wave_elevation", "wind_speed", "wind_direction",
 ];
+/** Displayed unit of an SI unit, and the factor from the SI unit to it. */
+export const SHOWN: Record<string, [string, number]> = { N: ["kN", 1e-3], kg: ["t", 1e-3], rad: ["°", 180 / Math.PI], "1": ["", 1] };
+
 /** Length of the past over which the range of a motion is shown, s. */
 export const RANGE_S = 60;
 

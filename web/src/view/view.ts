@@ -88,7 +88,9 @@ export class View {
     this.drawing = Drawing.of(this.renderer);
     this.scene.add(this.ground, this.sea, this.daylight, this.fleet.world, this.seabed, this.section, this.marks.group, this.overlays, this.cloud);
     this.light();
-    new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
+    const resized = new ResizeObserver(() => this.resize());
+    // On a phone the panels are over the picture.
+    for (const element of [canvas.parentElement!, ...document.querySelectorAll(".panel, .plots")]) resized.observe(element);
     onPalette(() => this.repaint());
   }
 

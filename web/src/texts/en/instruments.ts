@@ -4,6 +4,8 @@ export const instruments = {
   minute: (range: string) => `last minute ${range}`,
   dial: (name: string, angle: string, low: string, high: string) => `${name} ${angle}, from ${low} to ${high}`,
   limits: "Limits",
+  hook_load: "Hook load",
+  now: "Hook load and worst limit",
   readings: "Readings",
   columns: ["Now", "Min", "Max"],
   height: "height",

@@ -6,6 +6,8 @@ export const instruments: Texts["instruments"] = {
   minute: (range) => `siste min. ${range}`,
   dial: (name, angle, low, high) => `${name} ${angle}, fra ${low} til ${high}`,
   limits: "Grenser",
+  hook_load: "Kroklast",
+  now: "Kroklast og verste grense",
   readings: "Avlesninger",
   columns: ["Nå", "Min.", "Maks."],
   height: "høyde",
