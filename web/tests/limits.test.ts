@@ -2,6 +2,7 @@ import { describe, expect, it } from "vitest";
 import { channelOf } from "./fake";
 import type { LimitInfo } from "../src/engine/engine";
 import { hookOf, worstOf } from "../src/instruments/cockpit";
+import { joined } from "../src/plots/bound_labels";
 import { gravest, LimitTrack, marginOf } from "../src/instruments/limits";
 
 const HEEL: LimitInfo = { name: "heel", column: "hull.roll", unit: "deg", unit_si: Math.PI / 180, at_least: -5, at_most: 5, from_s: 0, until_s: null, steps: [] };
@@ -97,5 +98,13 @@ describe("the cockpit", () => {
     expect(worstOf([heel, gap], 10, row(6, 3.1))).toBe(heel);
     expect(worstOf([gap], 0, row(0, 9))).toBeNull();
     expect(heel.boundNear(-3)).toBe(-5);
+  });
+});
+
+describe("labels of limits in a plot", () => {
+  it("joins labels that would be printed over each other", () => {
+    const labels = [{ name: "sling port", y: 100 }, { name: "leg", y: 60 }, { name: "sling starboard", y: 100 }, { name: "sling port", y: 104 }];
+    expect(joined(labels, 13)).toEqual([{ name: "leg", y: 60 }, { name: "sling port and 1 more", y: 100 }]);
+    expect(joined([{ name: "heel", y: 10 }, { name: "heel", y: 90 }], 13).length).toBe(2);
   });
 });

@@ -29,9 +29,11 @@ export function readingsOf(channels: readonly Channel[]): Reading[] {
   const scalar = channels.filter(({ of_elements, labels }) => of_elements && labels.length === 1);
   return scalar
     .filter(({ variable }) => READ.some((ending) => variable.endsWith(ending)))
-    .flatMap(({ labels, long_name, columns, units }) =>
-      labels[0].map((thing, k) => ({ thing, label: withoutThing(long_name), column: columns[k], unit: units[k] })),
-    );
+    .flatMap(({ variable, labels, long_name, description, columns, units }) => {
+      const alike = scalar.some((other) => other.variable !== variable && other.long_name === long_name);
+      const label = alike ? `${withoutThing(long_name)}${description.replace(long_name, "")}` : withoutThing(long_name);
+      return labels[0].map((thing, k) => ({ thing, label, column: columns[k], unit: units[k] }));
+    });
 }
 
 /** Leaves out of a description the words that follow from its element: "tension of a line" becomes "tension". */

@@ -6,7 +6,7 @@ export const instruments = {
   limits: "Limits",
   hook_load: "Hook load",
   now: "Hook load and worst limit",
-  readings: "Readings",
+  readings: "Readings; the least and the largest of the last minute",
   columns: ["Now", "Min", "Max"],
   height: "height",
   rise: "vertical speed",

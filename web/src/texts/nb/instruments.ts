@@ -8,7 +8,7 @@ export const instruments: Texts["instruments"] = {
   limits: "Grenser",
   hook_load: "Kroklast",
   now: "Kroklast og verste grense",
-  readings: "Avlesninger",
+  readings: "Avlesninger; minste og største i det siste minuttet",
   columns: ["Nå", "Min.", "Maks."],
   height: "høyde",
   rise: "vertikal hastighet",
