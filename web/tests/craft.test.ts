@@ -1,3 +1,4 @@
+import { PILLARS } from "../src/view/craft/column";
 import { Box3, Color } from "three";
 import type { BufferGeometry } from "three";
 import { describe, expect, it } from "vitest";
@@ -126,5 +127,12 @@ describe("deckhouses", () => {
     const [aft, moved] = [start, { ...start, poses }].map((pose) => craftOf(run, pose, PALETTE).bridge!.point[0]);
     expect(aft).toBeGreaterThan(15);
     expect(moved).toBeLessThan(-10);
+  });
+});
+
+describe("operator's cabs", () => {
+  it("no pillar of a cab stands within 30 degrees of the view ahead", () => {
+    const angles = PILLARS.map(([x, y]) => Math.abs((Math.atan2(y, x) * 180) / Math.PI));
+    expect(Math.min(...angles)).toBeGreaterThan(30);
   });
 });

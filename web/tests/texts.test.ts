@@ -128,6 +128,7 @@ const FOR_PROGRAMS = [
   "export/run_files.ts: world: z up, x forward, y to port; body: at its centre of mass, ship x forward, y to port",
   "export/run_files.ts: § of about § rows",
   "levers/keys.ts: input, select, textarea, dialog, [contenteditable]",
+  "ui/transport.ts: input, select, textarea, button, summary, a, dialog, .panel, .plots, [role=slider], [contenteditable]",
   "offline/leave.ts: kingpost §",
   "offline/worker.ts: kingpost §",
   "physics/release.ts: can be released",

@@ -4,7 +4,8 @@ import type { StartPage } from "../start/start";
 import { byId, setText } from "../ui/dom";
 import type { Choice } from "../ui/scenarios";
 import { texts } from "../texts";
-import { START, asksForStart } from "./address";
+import { START, asksForStart, unknownIn } from "./address";
+import { inBrief } from "./format";
 import { isObject } from "./objects";
 
 function isChoice(state: unknown): state is Choice {
@@ -17,6 +18,8 @@ export class Pages {
   private loaded: Simulator | null = null;
   /** Whether the run is to start when the simulator is loaded. */
   private starts = false;
+  /** The part of the address whose unknown key was reported. */
+  private told = "";
 
   constructor(
     private readonly start: StartPage,
@@ -35,13 +38,25 @@ export class Pages {
   /** Shows the page that the address, and the state of the history, ask for; `starts` starts the run. */
   async show(state: Choice | null, starts = false): Promise<void> {
     const isStart = asksForStart(location, await this.opening) && !this.loaded?.holds(state);
-    if (isStart) return this.showStart();
+    if (isStart) {
+      this.showStart();
+      return this.tellUnknown();
+    }
     const isFirst = !this.loaded;
     if (isFirst && starts) this.startThen(true);
     const simulator = await this.simulate();
     await simulator?.goTo(state);
     if (!isFirst && starts) simulator?.start();
     simulator?.entitle();
+    this.tellUnknown();
+  }
+
+  /** Reports a part of the address that cannot be read, once. */
+  private tellUnknown(): void {
+    const key = unknownIn(location.hash);
+    if (key === null || location.hash === this.told) return;
+    this.told = location.hash;
+    this.report({ kind: "link", message: texts.share.unknown(inBrief(key, 40)) });
   }
 
   /** A scenario that was chosen on the start page; `starts` also starts its run. */

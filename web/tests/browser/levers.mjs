@@ -187,6 +187,11 @@ export default {
       assert.ok(sheet.y >= before.y && sheet.y + sheet.height <= before.y + before.height + 1, JSON.stringify([before, sheet]));
       await page.getByTestId("show-controls").click();
       assert.equal(await page.locator("#controls").isVisible(), false);
+      await page.locator(".skip-link").focus();
+      await page.keyboard.press("Enter");
+      assert.equal(await page.evaluate(() => document.activeElement.id), "controls", "the link leads to the controls");
+      assert.ok(await page.locator("#controls").isVisible());
+      await page.getByTestId("show-controls").click();
       await page.locator("#cameras summary").click();
       const { bottom, scrolled } = await page.evaluate(() => {
         const panel = document.querySelector("#cameras .menu-panel");

@@ -5,6 +5,7 @@ export const transport = {
   resume: "Resume",
   from_here: "From here",
   from_here_help: "Continues from the moment that is shown; everything later is dropped",
+  space: "The space bar starts and pauses too",
   step: "Step",
   reset: "Reset",
   speed: "Speed",

@@ -7,6 +7,7 @@ export const transport: Texts["transport"] = {
   resume: "Fortsett",
   from_here: "Herfra",
   from_here_help: "Kjøringen går videre fra øyeblikket som vises; alt som kom etter, slettes",
+  space: "Mellomromstasten starter og stopper også",
   step: "Steg",
   reset: "Nullstill",
   speed: "Tempo",
