@@ -20,7 +20,7 @@ function begin(): void {
   const gallery = Gallery.load(document.baseURI);
   const loadSimulator = () => import("./simulator");
   const start = new StartPage(
-    (query) => pages.open(query),
+    (query, starts) => pages.open(query, starts),
     () => void loadSimulator().catch(() => undefined),
   );
   const pages: Pages = new Pages(

@@ -47,6 +47,8 @@ export interface Simulator {
   goTo(state: Choice | null): Promise<void>;
   holds(state: Choice | null): boolean;
   openFiles(texts: Record<string, string>): Promise<void>;
+  /** Starts the run, or the scenario that is being opened. */
+  start(): void;
   pause(): void;
   report(fault: Fault): void;
   /** Sets the title of the document to that of the run. */
@@ -81,6 +83,7 @@ export function startSimulator(gallery: Promise<Gallery>): Simulator {
     },
     holds: (state) => scenarios.holds(state),
     openFiles: (texts) => scenarios.openFiles(texts),
+    start: () => session.start(),
     pause: () => session.pause(),
     report: (fault) => session.report(fault),
     entitle,

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { askedBy, asksForStart, queryOf } from "../src/app/address";
+import { askedBy, asksForStart, queryOf, unknownIn } from "../src/app/address";
 
 describe("addresses", () => {
   it("reads a scenario and its parameters from an address as booleans, numbers or texts", () => {
@@ -7,6 +7,12 @@ describe("addresses", () => {
       scenario: "paper",
       values: { load: true, crane_x_m: -2.5, torque_history: "pulse", "simulation.step_s": 0.002 },
     });
+  });
+
+  it("finds what it cannot read after the #, but no anchors", () => {
+    expect(unknownIn("#run=AAAA")).toBe("run");
+    expect(unknownIn("#quality=best&run=AAAA")).toBe("run");
+    expect(["", "#controls", "#k1=abc.def", "#k9=abc", "#quality=best&k1=abc"].map(unknownIn)).toEqual([null, null, null, null, null]);
   });
 
   it("reads no scenario from a bare address", () => {

@@ -1,7 +1,8 @@
 import { describe, expect, it } from "vitest";
 import type { Session } from "../src/app/session";
 import type { Values } from "../src/engine/engine";
-import { openedDirectly } from "./direct";
+import type { EngineClient } from "../src/engine/client";
+import { DirectEngine, openedDirectly } from "./direct";
 import { bits, initEngine } from "./gallery";
 import { until } from "./until";
 
@@ -29,6 +30,18 @@ function differences(one: Map<number, string[]>, other: Map<number, string[]>): 
   return [...one.keys()].filter((time) => other.has(time) && String(one.get(time)) !== String(other.get(time)));
 }
 
+/** Lets the next request for a state report that the engine has ended; another engine answers from then on. */
+function loseEngine(session: Session): void {
+  const client = (session as unknown as { client: EngineClient }).client;
+  const { client: next } = new DirectEngine();
+  Object.assign(client, next, {
+    snapshot: () => {
+      client.snapshot = next.snapshot;
+      return Promise.reject({ kind: "engine", message: "The engine was ended." });
+    },
+  });
+}
+
 describe("a run that branches from an earlier moment", () => {
   it.each(["lowering_by_winch", "lift_off_from_barge", "paper"])("a branch without a change repeats the run to the same bits: %s", async (scenario) => {
     const session = await opened(scenario);
@@ -44,6 +57,30 @@ describe("a run that branches from an earlier moment", () => {
     expect(session.shown.recording!.now.time_s).toBeGreaterThan(1.5 * end_s);
     expect([...before.keys()].filter((time) => !after.has(time))).toEqual([]);
     expect(differences(before, after)).toEqual([]);
+  });
+
+  it("a run that another engine continues has the same bits, lever moves and live values", async () => {
+    const [lost, whole] = [await opened("lowering_by_winch"), await opened("lowering_by_winch")];
+    const steer = async (session: Session) => {
+      await run(session, 1.3);
+      session.set("significant_height_m", 3);
+      await until(() => expect(session.pending()).toEqual([]));
+      await run(session, 1.3);
+      await session.setInput("hoist", -66);
+      await run(session, 0.26);
+    };
+    for (const session of [lost, whole]) await steer(session);
+    const { digest } = lost.run!;
+    loseEngine(lost);
+    await lost.snapshot().catch(() => undefined);
+    await until(() => expect(lost.fault).toMatchObject({ kind: "restarted" }));
+    expect(lost.run!.digest).toBe(digest);
+    expect(lost.run!.inputs).toEqual(whole.run!.inputs);
+    for (const session of [lost, whole]) await run(session, 1.3);
+    expect(differences(recorded(lost), recorded(whole))).toEqual([]);
+    expect(lost.shown.recording!.now.time_s).toBeGreaterThan(4);
+    expect(await lost.changes()).toEqual(await whole.changes());
+    expect(lost.values.inForce).toEqual(whole.values.inForce);
   });
 
   it("a branch keeps lever moves before its start and drops later ones, also in the saved file", async () => {

@@ -44,7 +44,10 @@ describe("the engine's client", () => {
     FakeWorker.all = [];
     client = new EngineClient(() => new FakeWorker() as unknown as Worker, "");
   });
-  afterEach(() => void vi.useRealTimers());
+  afterEach(() => {
+    vi.useRealTimers();
+    vi.unstubAllGlobals();
+  });
 
   it("the client ends a worker that stops answering, reports it, and starts another for the next request", async () => {
     const lost = kindOf(client.step());
@@ -79,6 +82,25 @@ describe("the engine's client", () => {
     last().say({ id: last().lastId, value: null });
     expect(await answer).toBe("answered");
     expect(FakeWorker.all.length).toBe(1);
+  });
+
+  it("the client learns at once that a worker was ended that held its lifeline", async () => {
+    const cut = new Map<string, () => void>();
+    vi.stubGlobal("navigator", { locks: { request: async (name: string, cutNow: () => void) => void cut.set(name, cutNow) } });
+    client = new EngineClient(() => new FakeWorker() as unknown as Worker, "");
+    const first = last();
+    const laid = first.heard.flatMap((message) => ("lifeline" in message ? [message.lifeline] : []));
+    expect(laid.length).toBe(1);
+    first.say({ holds: laid[0] });
+    const lost = kindOf(client.step());
+    cut.get(laid[0])!();
+    expect(await lost).toBe("engine");
+    const answer = client.step();
+    last().say({ id: last().lastId, value: "a frame" });
+    expect(await answer).toBe("a frame");
+    // The lock of a worker that the client has ended itself becomes free too.
+    cut.get(laid[0])!();
+    expect(last().isEnded).toBe(false);
   });
 
   it("the client asks for no sign of life while no request waits", async () => {

@@ -1,4 +1,5 @@
-import { Box3, Color } from "three";
+import { PILLARS } from "../src/view/craft/column";
+import { Box3, Color, Raycaster, Vector3 } from "three";
 import type { BufferGeometry } from "three";
 import { describe, expect, it } from "vitest";
 import type { DrawnLine } from "../src/engine/engine";
@@ -126,5 +127,27 @@ describe("deckhouses", () => {
     const [aft, moved] = [start, { ...start, poses }].map((pose) => craftOf(run, pose, PALETTE).bridge!.point[0]);
     expect(aft).toBeGreaterThan(15);
     expect(moved).toBeLessThan(-10);
+  });
+});
+
+describe("operator's cabs", () => {
+  it("no pillar of a cab stands within 30 degrees of the view ahead", () => {
+    const angles = PILLARS.map(([x, y]) => Math.abs((Math.atan2(y, x) * 180) / Math.PI));
+    expect(Math.min(...angles)).toBeGreaterThan(30);
+  });
+});
+
+describe("underwater vehicles", () => {
+  it("a vehicle under water has an open frame below its foam, unlike a container", async () => {
+    const openIn = async (scenario: string, name: string) => {
+      const { run, start } = await opened(scenario);
+      const i = run.model.bodies.findIndex((body) => body.name === name);
+      const { low, high } = boxOf(run.model.bodies[i], undefined);
+      // Across the vehicle, below the foam and beside the posts.
+      const from = new Vector3(0.15 * high[0], 2 * low[1], 0.7 * low[2]);
+      return new Raycaster(from, new Vector3(0, 1, 0)).intersectObject(craftOf(run, start, PALETTE).works[i].object()).length === 0;
+    };
+    expect(await openIn("underwater_vehicle", "vehicle")).toBe(true);
+    expect(await openIn("container_to_quay", "container")).toBe(false);
   });
 });

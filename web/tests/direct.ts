@@ -3,7 +3,7 @@ import type { Change } from "../src/engine/changes";
 import type { EngineClient } from "../src/engine/client";
 import type { Engine, InputInfo, ParameterInfo, Value, Values } from "../src/engine/engine";
 import { asFault, readModel } from "../src/engine/engine";
-import type { LeverMove } from "../src/engine/messages";
+import type { LeverMove, Snapshot } from "../src/engine/messages";
 import { Simulation } from "../src/engine/pkg/kingpost_wasm.js";
 import { Runner } from "../src/engine/runner";
 import { filesOf, read } from "./gallery";
@@ -38,6 +38,7 @@ export class DirectEngine {
       parameter: (name: string, value: Value) => this.inTurn(() => runner.parameter(name, value)),
       snapshot: () => this.inTurn(() => runner.snapshot()),
       restore: (snapshot: Uint8Array, moves: LeverMove[] = []) => this.inTurn(() => runner.restore(snapshot, moves)),
+      resume: (keyframe: Snapshot) => this.inTurn(() => runner.resume(keyframe)),
       changes: () => this.inTurn(() => structuredClone(runner.made())),
       replay: () => this.inTurn(() => ({ ...runner.replay(), files: [] })),
     };

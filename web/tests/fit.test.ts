@@ -1,6 +1,6 @@
 import type { BodyInfo } from "../src/engine/engine";
 import { describe, expect, it } from "vitest";
-import { cornersOf, fitDistance, frame, middleOf, rotate, unit, roomIn } from "../src/view/fit";
+import { cornersOf, fitDistance, frame, gatheredCorners, middleOf, reachOf, rotate, unit, roomIn } from "../src/view/fit";
 import { gridSpacing } from "../src/view/spacing";
 import type { Vec3 } from "../src/view/fit";
 import { boxOf, edgesOf, withFrame } from "../src/view/solids";
@@ -57,6 +57,21 @@ describe("fitting the camera", () => {
     expect(Math.max(...fills)).toBeCloseTo(1, 9);
     expect(fills.filter((value) => value > 0.999).length).toBeGreaterThanOrEqual(2);
     expect(distance).toBeLessThan(fitDistance(points, [0, 0, 0], back, [0, 0, 1], lens));
+  });
+
+  it("keeps the size of a ship whose lost load sinks away", () => {
+    const ship = { low: [-40, -10, -5], high: [40, 10, 5] } as const;
+    const load = { low: [-2, -2, -2], high: [2, 2, 2] } as const;
+    const at = (depth_m: number) => [0, 0, 0, 1, 0, 0, 0, 0, 15, -depth_m, 1, 0, 0, 0];
+    const reach = reachOf(at(0), [ship, load]);
+    expect(reach).toBeCloseTo(Math.hypot(40, 10, 5), 9);
+    const lens = { fov: 0.6, aspect: 1.6 };
+    const distance = (depth_m: number) => frame(gatheredCorners(at(depth_m), [ship, load], reach), back, [0, 0, 1], lens).distance;
+    expect(distance(40)).toBeGreaterThan(distance(0));
+    const farthest = Math.max(...Array.from({ length: 300 }, (_, k) => distance(10 * k)));
+    // At 2.5 times the distance the ship has 40 % of her size in the picture.
+    expect(farthest).toBeLessThan(2.5 * distance(0));
+    expect(distance(3000)).toBeLessThanOrEqual(distance(0));
   });
 
   /** Distance of a point from the middle of the picture; 1 at its edge. */

@@ -1,11 +1,18 @@
 import { expect, it } from "vitest";
-import { duration, fixed, scientific } from "../src/app/format";
+import { duration, fixed, inBrief, scientific } from "../src/app/format";
 import { sliderRange, sliderStep, withoutRounding } from "../src/ui/items";
 
 it("writes negative numbers with a minus sign, and zero without one", () => {
   expect(fixed(-1.005, 2)).toBe("−1.00");
   expect(fixed(-0.0001, 2)).toBe("0.00");
   expect(fixed(NaN, 2)).toBe("–");
+});
+
+it("cuts long texts between characters, and marks the cut", () => {
+  expect(inBrief("a ship", 6)).toBe("a ship");
+  expect(inBrief("a ship", 5)).toBe("a sh…");
+  expect(inBrief("⛴️🚢🚢🚢🚢", 4)).toBe("⛴️🚢…");
+  expect(inBrief("x".repeat(1_500_000), 200).length).toBe(200);
 });
 
 it("writes errors with a power of ten", () => {

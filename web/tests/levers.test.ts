@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { placesOf } from "../src/levers/axes";
 import { placed } from "../src/levers/dialog";
+import { namesOf } from "../src/levers/names";
 import { Lever, withoutDeadZone } from "../src/levers/lever";
 import { openedDirectly } from "./direct";
 import { initEngine } from "./gallery";
@@ -94,4 +95,12 @@ it("an input has only one axis, and keeps its direction when it moves to another
   const places = { left_x: { input: "slew", reversed: true }, right_y: { input: "hoist", reversed: false } };
   expect(placed(places, "left_y", "slew")).toEqual({ left_y: { input: "slew", reversed: true }, right_y: places.right_y });
   expect(placed(places, "right_y", "")).toEqual({ left_x: places.left_x });
+});
+
+describe("names of inputs", () => {
+  it("leaves out the elements of an input unless another one has the same ending", () => {
+    const names = (...all: string[]) => [...namesOf(all.map((name) => ({ name }))).values()];
+    expect(names("slewing_gear", "hoist")).toEqual(["slewing gear", "hoist"]);
+    expect(names("learned.choice.policy.slewing", "regulator.choice.lqr.slewing", "hoist.drum")).toEqual(["policy slewing", "lqr slewing", "drum"]);
+  });
 });

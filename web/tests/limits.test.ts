@@ -1,5 +1,8 @@
 import { describe, expect, it } from "vitest";
+import { channelOf } from "./fake";
 import type { LimitInfo } from "../src/engine/engine";
+import { hookOf, worstOf } from "../src/instruments/cockpit";
+import { joined } from "../src/plots/bound_labels";
 import { gravest, LimitTrack, marginOf } from "../src/instruments/limits";
 
 const HEEL: LimitInfo = { name: "heel", column: "hull.roll", unit: "deg", unit_si: Math.PI / 180, at_least: -5, at_most: 5, from_s: 0, until_s: null, steps: [], percentile: 100 };
@@ -83,4 +86,34 @@ it("several limits have the worst of their states", () => {
   expect(gravest(["ok", "near", "waiting"])).toBe("near");
   expect(gravest(["near", "exceeded"])).toBe("exceeded");
   expect(gravest([])).toBe("waiting");
+});
+
+describe("the cockpit", () => {
+  const channel = (variable: string, unit: string) => channelOf(variable, ["rope"], [["hoist"]], [unit]);
+  const tension = new LimitTrack({ ...GAP, name: "tension", column: "hoist.rope_tension", unit: "kN", unit_si: 1000, at_least: null, at_most: 60 }, 1);
+
+  it("reads the hook load of a load chart with its rated load, otherwise the first rope with its limit", () => {
+    const rope = channel("rope_tension", "N");
+    expect(hookOf([rope, channel("hook_load", "kg"), channel("rated_load", "kg")], [tension])).toEqual({ column: "hoist.hook_load", unit: "kg", rated: "hoist.rated_load", track: null });
+    expect(hookOf([rope], [tension])).toEqual({ column: "hoist.rope_tension", unit: "N", rated: null, track: tension });
+    expect(hookOf([], [tension])).toBeNull();
+  });
+
+  it("shows the limit with the least room for its scale, among those that apply", () => {
+    const [heel, gap] = [new LimitTrack(HEEL, 1), new LimitTrack({ ...GAP, at_least: 3, from_s: 10 }, 2)];
+    const row = (degrees: number, gap_m: number) => [0, (degrees * Math.PI) / 180, gap_m];
+    expect(worstOf([heel, gap], 0, row(1, 3.1))).toBe(heel);
+    expect(worstOf([heel, gap], 10, row(1, 3.1))).toBe(gap);
+    expect(worstOf([heel, gap], 10, row(6, 3.1))).toBe(heel);
+    expect(worstOf([gap], 0, row(0, 9))).toBeNull();
+    expect(heel.boundNear(-3)).toBe(-5);
+  });
+});
+
+describe("labels of limits in a plot", () => {
+  it("joins labels that would be printed over each other", () => {
+    const labels = [{ name: "sling port", y: 100 }, { name: "leg", y: 60 }, { name: "sling starboard", y: 100 }, { name: "sling port", y: 104 }];
+    expect(joined(labels, 13)).toEqual([{ name: "leg", y: 60 }, { name: "sling port and 1 more", y: 100 }]);
+    expect(joined([{ name: "heel", y: 10 }, { name: "heel", y: 90 }], 13).length).toBe(2);
+  });
 });

@@ -133,6 +133,8 @@ describe("natural periods over a parameter", () => {
     expect(far.length).toBe(2);
     expect(linesOf(found.filter(({ value }) => value < 10 || value > 14))[1].places.length).toBeLessThan(25);
     expect(linesOf(found.filter(({ value }) => value < 10 || value > 14)).length).toBe(2);
+    const heave = [7, 10].map((period_s) => ({ coordinate: "hull.z", period_s, damping_ratio: 0.1 }));
+    expect(linesOf([{ value: 0, modes: [roll, ...heave] }]).map(({ number }) => number)).toEqual([undefined, 1, 2]);
     expect(linesOf([{ value: 0, modes: [{ ...roll, period_s: 120 }, { ...roll, period_s: 0.3 }] }])).toEqual([]);
   });
 });

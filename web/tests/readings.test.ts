@@ -20,6 +20,12 @@ describe("readings", () => {
     ]);
   });
 
+  it("distinguishes readings of one name by their descriptions", () => {
+    const tension = (variable: string, where: string) => ({ ...named(variable, "hoist", "tension of a rope", "N"), description: `tension of a rope ${where}` });
+    const channels = [tension("rope_tension", "at its last end"), tension("rope_first_tension", "at its first end")];
+    expect(readingsOf(channels).map(({ label }) => label)).toEqual(["tension at its last end", "tension at its first end"]);
+  });
+
   it("readings include the speed and direction of the wind, but no flow speed", () => {
     const channels = [
       named("flow_speed", "wind_on_hull", "speed of the wind or current that acts", "m/s"),

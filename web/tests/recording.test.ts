@@ -189,6 +189,17 @@ describe("the engine's frames", () => {
     expect(runner.advance(0.005, 1)!.keyframes).toEqual([]);
   });
 
+  it("frames report no release of a lever that springs back, but a position that is set to zero", () => {
+    const engine: Engine = new FakeEngine();
+    const lever = { value: 0, lower: -1, upper: 1, signal: null };
+    engine.inputs_json = () => JSON.stringify([{ ...lever, name: "slewing", unit: "rad/s" }, { ...lever, name: "boom", unit: "rad" }]);
+    const moves = [["slewing", 0.5], ["slewing", 0], ["boom", 0]].map(([input, value], k) => ({ time_s: 2 * k, input, value }));
+    engine.lever_moves_json = () => JSON.stringify(moves);
+    const runner = new Runner(() => engine, () => 0);
+    runner.open("text", "file.yaml", {});
+    expect(runner.step().events.map(({ name, text }) => [name, text])).toEqual([["slewing", "set to 0.5 by hand"], ["boom", "set to 0 by hand"]]);
+  });
+
   it("frames report events, and of a dragged lever only its last move", () => {
     const engine: Engine = new FakeEngine();
     engine.lever_moves_json = () => JSON.stringify([0.1, 0.2, 3].map((time_s) => ({ time_s, input: "hoist", value: -time_s })));

@@ -88,13 +88,20 @@ describe("a saved scenario", () => {
   });
 
   it("a saved scenario names the files that must be in its folder", async () => {
-    const replay = { scenario: '{"version": 1}', time_s: 1.25, integrator: "newmark", moves: 1, parameters: [], files: ["hydro/mine.hydro.json"] };
+    const replay = { scenario: '{"version": 1}', time_s: 1.25, integrator: "newmark", moves: 1, parameters: [], lost: 0, files: ["hydro/mine.hydro.json"] };
     const { name, text } = await savedFile("ships/mine-saved.yaml", replay);
     expect(name).toBe("mine-saved.yaml");
     expect(text).toContain("# It needs these files in the same folder: hydro/mine.hydro.json.\n");
     expect(text).toContain("the lever move made by hand");
     expect(text).toContain("not to the last bit");
     expect(text.endsWith("\n\nversion: 1\n")).toBe(true);
+  });
+
+  it("a saved scenario tells of changes that were made before the engine was replaced", async () => {
+    const replay = { scenario: '{"version": 1}', time_s: 1.25, integrator: "rk4", moves: 0, parameters: [], lost: 2, files: [] };
+    const { text, differs } = await savedFile("mine.yaml", replay);
+    expect(differs).toContain("2 changes were made before the engine was replaced");
+    expect(text).toContain(`# ${differs}\n`);
   });
 
   it("a run with lever moves and an enabled operation is not saved, and the message gives the remedy", () => {

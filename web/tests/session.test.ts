@@ -4,7 +4,7 @@ import { Session } from "../src/app/session";
 import { faultOfControl } from "../src/app/faults";
 import type { EngineClient } from "../src/engine/client";
 import type { Fault, Value, Values } from "../src/engine/engine";
-import type { LeverMove } from "../src/engine/messages";
+import type { LeverMove, Snapshot } from "../src/engine/messages";
 import { Runner } from "../src/engine/runner";
 import { FakeEngine } from "./fake";
 import { turns, until } from "./until";
@@ -34,13 +34,14 @@ function clientOf(openings: Values[], divergesAt_s = Infinity): EngineClient {
   }));
   return {
     open: (text: string, file: string, overrides: Values) => later(() => runner.open(text, file, overrides)),
-    advance: (wall_s: number, speed: number) => later(() => runner.advance(wall_s, speed)),
+    advance: (wall_s: number, speed: number, until_s?: number) => later(() => runner.advance(wall_s, speed, until_s)),
     step: () => later(() => runner.step()),
     input: (name: string, value: number) => later(() => runner.input(name, value)),
     snapshot: () => later(() => runner.snapshot()),
+    resume: (keyframe: Snapshot) => later(() => runner.resume(keyframe)),
     restore: (snapshot: Uint8Array, moves: LeverMove[]) => later(() => runner.restore(snapshot, moves)),
     replay: () => later(() => ({ ...runner.replay(), files: [] })),
-    parameter: (name: string, value: Value) => later(() => (runner.parameter(name, value), null)),
+    parameter: (name: string, value: Value) => later(() => runner.parameter(name, value)),
   } as unknown as EngineClient;
 }
 
@@ -290,19 +291,72 @@ describe("sessions", () => {
     log.mockRestore();
   });
 
-  it("a run whose engine is lost starts again with the same values, and reports it", async () => {
+  it("keeps a start before the first scenario is open, and while another scenario is loading", async () => {
+    session = new Session(clientOf(openings));
+    session.start();
+    await session.open(good, {});
+    expect(session.status).toBe("running");
+    const loaded = turns().then(() => good);
+    const opened = session.open(loaded, { load: true });
+    expect(session.status).toBe("paused");
+    session.start();
+    expect(session.isGoing).toBe(true);
+    expect(session.status).toBe("paused");
+    await opened;
+    await turns();
+    expect(session.status).toBe("running");
+    expect(openings.at(-1)).toEqual({ load: true });
+  });
+
+  it("drops a start of a scenario that does not load, and keeps the present run paused", async () => {
+    const opened = session.open(Promise.reject({ kind: "network", message: "no file" }), {});
+    session.start();
+    expect(await opened).toBe(false);
+    expect(session.fault).toMatchObject({ kind: "network" });
+    expect([session.status, session.isGoing]).toEqual(["idle", false]);
+  });
+
+  it("continues a run whose engine is lost from its last keyframe, and reports it", async () => {
+    const client = clientOf(openings);
+    session = new Session(client);
+    await session.open(good, { load: true });
+    session.start();
+    await session.advance(0.234);
+    const { recording, moment } = session.shown;
+    const rows = recording!.rows.items.length;
+    const { advance } = client;
+    client.advance = () => {
+      client.advance = advance;
+      return Promise.reject({ kind: "engine", message: "The engine was ended." });
+    };
+    await session.advance(0.1);
+    await until(() => expect(session.fault).toMatchObject({ kind: "restarted" }));
+    expect(session.fault!.message).toContain("0.23 s");
+    expect(openings.at(-1)).toEqual({ load: true });
+    expect(session.shown.recording).toBe(recording);
+    expect(recording!.rows.items.length).toBe(rows);
+    expect(session.shown.moment).toEqual(moment);
+    await until(() => expect(session.status).toBe("running"));
+    await session.advance(0.1);
+    expect(time()).toBeCloseTo(0.334, 9);
+  });
+
+  it("starts a run again whose engine is lost twice at one moment", async () => {
     const client = clientOf(openings);
     session = new Session(client);
     await session.open(good, { load: true });
     session.start();
     await session.advance(0.1);
-    client.advance = () => Promise.reject({ kind: "engine", message: "The engine gave no answer for 60 s." });
+    const { advance } = client;
+    client.advance = (...of) => (of[2] === 0.1 ? advance(...of) : Promise.reject({ kind: "engine", message: "The engine was ended." }));
     await session.advance(0.1);
-    await turns();
-    expect(session.status).toBe("idle");
+    await until(() => expect(session.status).toBe("running"));
+    await session.advance(0.1);
+    await until(() => expect(session.status).toBe("idle"));
     expect(openings.at(-1)).toEqual({ load: true });
     expect(time()).toBe(0);
-    expect(session.fault).toMatchObject({ kind: "restarted" });
+    await turns();
+    expect(session.fault!.message).toContain("starts again");
     await session.step();
     expect(time()).toBeCloseTo(0.01, 9);
   });

@@ -133,6 +133,7 @@ const FOR_PROGRAMS = [
   "figure/live.ts: kingpost figures",
   "figure/port.ts: the message is not one of this version of the figure",
   "levers/keys.ts: input, select, textarea, dialog, [contenteditable]",
+  "ui/transport.ts: input, select, textarea, button, summary, a, dialog, .panel, .plots, [role=slider], [contenteditable]",
   "offline/leave.ts: kingpost §",
   "offline/worker.ts: kingpost §",
   "physics/release.ts: can be released",

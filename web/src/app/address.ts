@@ -14,6 +14,15 @@ export function holdsRun(hash: string): boolean {
   return RUN.test(hash);
 }
 
+/** Keys of other parts after the `#`. */
+const OTHERS = ["quality"];
+
+/** Returns the first key after the `#` that this app cannot read; null if there is none. */
+export function unknownIn(hash: string): string | null {
+  const keys = [...new URLSearchParams(hash.slice(1)).keys()];
+  return keys.find((key) => hash.includes(`${key}=`) && !OTHERS.includes(key) && !holdsRun(`#${key}=`)) ?? null;
+}
+
 export function askedBy(search: string): Asked {
   const { scenario = null, ...texts } = Object.fromEntries(new URLSearchParams(search));
   return { scenario, values: Object.fromEntries(Object.entries(texts).map(([name, text]) => [name, valueOf(text)])) };

@@ -1,5 +1,6 @@
 import type { Fault, ParameterInfo } from "../engine/engine";
 import { texts } from "../texts";
+import { fixed } from "./format";
 
 /** Prefix by which the engine names a value that overrides a scenario. */
 const SET = "--set ";
@@ -18,6 +19,11 @@ export function faultOfControl(fault: Fault, parameters: readonly ParameterInfo[
 /** Returns the fault of values in the address that the scenario does not accept, in the words of the address. */
 export function faultOfAddress(fault: Fault): Fault {
   return { kind: "address", message: `${fault.message.replaceAll(SET, "")}.`, note: texts.faults.own_values };
+}
+
+/** Returns the fault of an engine that was lost, after which another engine continues the run. */
+export function faultOfResumedRun({ message }: Fault, time_s: number): Fault {
+  return { kind: "restarted", message: texts.faults.resumed_run(message, fixed(time_s, 2)) };
 }
 
 /** Returns the fault of a run that was lost with its engine and starts again in another engine. */

@@ -12,6 +12,13 @@ function superscript(exponent: number): string {
   return exponent < 0 ? `⁻${digits}` : digits;
 }
 
+/** Cuts a text that is longer than a number of characters, and marks the cut. */
+export function inBrief(text: string, most: number): string {
+  // A character takes at most two places.
+  const characters = Array.from(text.slice(0, 2 * most + 2));
+  return characters.length > most ? `${characters.slice(0, most - 1).join("")}…` : text;
+}
+
 /** Formats a number with fixed decimals and a true minus sign, so that columns of numbers do not jump. */
 export function fixed(value: number, decimals: number): string {
   if (!Number.isFinite(value)) return "–";

@@ -1,10 +1,11 @@
 import type { Simulator } from "../simulator";
 import type { Fault } from "../engine/engine";
 import type { StartPage } from "../start/start";
-import { byId } from "../ui/dom";
+import { byId, setText } from "../ui/dom";
 import type { Choice } from "../ui/scenarios";
 import { texts } from "../texts";
-import { START, asksForStart } from "./address";
+import { START, asksForStart, unknownIn } from "./address";
+import { inBrief } from "./format";
 import { isObject } from "./objects";
 
 function isChoice(state: unknown): state is Choice {
@@ -15,6 +16,10 @@ function isChoice(state: unknown): state is Choice {
 export class Pages {
   private simulator: Promise<Simulator> | null = null;
   private loaded: Simulator | null = null;
+  /** Whether the run is to start when the simulator is loaded. */
+  private starts = false;
+  /** The part of the address whose unknown key was reported. */
+  private told = "";
 
   constructor(
     private readonly start: StartPage,
@@ -23,25 +28,48 @@ export class Pages {
     private readonly opening: Promise<string | undefined>,
   ) {
     addEventListener("popstate", ({ state }) => void this.show(isChoice(state) ? state : null));
+    byId("start").addEventListener("click", () => !this.loaded && this.startThen(!this.starts));
     byId("to-start").addEventListener("click", (event) => {
       event.preventDefault();
       void this.goToStart();
     });
   }
 
-  /** Shows the page that the address, and the state of the history, ask for. */
-  async show(state: Choice | null): Promise<void> {
+  /** Shows the page that the address, and the state of the history, ask for; `starts` starts the run. */
+  async show(state: Choice | null, starts = false): Promise<void> {
     const isStart = asksForStart(location, await this.opening) && !this.loaded?.holds(state);
-    if (isStart) return this.showStart();
+    if (isStart) {
+      this.showStart();
+      return this.tellUnknown();
+    }
+    const isFirst = !this.loaded;
+    if (isFirst && starts) this.startThen(true);
     const simulator = await this.simulate();
     await simulator?.goTo(state);
+    if (!isFirst && starts) simulator?.start();
     simulator?.entitle();
+    this.tellUnknown();
   }
 
-  /** A scenario that was chosen on the start page. */
-  open(query: string): void {
+  /** Reports a part of the address that cannot be read, once. */
+  private tellUnknown(): void {
+    const key = unknownIn(location.hash);
+    if (key === null || location.hash === this.told) return;
+    this.told = location.hash;
+    this.report({ kind: "link", message: texts.share.unknown(inBrief(key, 40)) });
+  }
+
+  /** A scenario that was chosen on the start page; `starts` also starts its run. */
+  open(query: string, starts: boolean): void {
     history.pushState(null, "", location.pathname + query);
-    void this.show(null);
+    void this.show(null, starts);
+  }
+
+  /** Keeps a press of Start until the simulator is loaded; a second press takes it back. */
+  private startThen(starts: boolean): void {
+    this.starts = starts;
+    setText(byId("start-label"), starts ? texts.transport.pause : texts.transport.start);
+    setText(byId("hint"), starts ? texts.transport.starts_then : texts.transport.loading);
   }
 
   /** Files that were chosen or dropped, on either page. */
@@ -75,8 +103,11 @@ export class Pages {
     try {
       this.simulator ??= this.load();
       this.loaded = await this.simulator;
+      if (this.starts) this.loaded.start();
+      this.starts = false;
     } catch (thrown) {
       this.simulator = null;
+      this.startThen(false);
       this.showStart();
       this.start.say(texts.start.no_simulator(thrown instanceof Error ? thrown.message : String(thrown)));
     }

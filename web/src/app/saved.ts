@@ -37,7 +37,8 @@ export async function savedFile(opened: string, replay: Replay, pending: string[
  * Returns why a run of the file differs: a file holds only the last value of a parameter that was set during the run.
  * Null if it does not differ.
  */
-function differenceOf({ parameters }: Replay): string | null {
+function differenceOf({ parameters, lost }: Replay): string | null {
+  if (lost > 0) return words.lost(lost);
   if (parameters.length === 0) return null;
   const set = parameters.map(({ parameter, time_s }) => words.set_at(parameter, seconds(time_s))).join(", ");
   return words.differs(set);

@@ -72,12 +72,13 @@ export class Session implements Player {
 
   /** Reports that no scenario can be opened. */
   beEmpty(fault: Fault): void {
+    if (this.opening.due) this.opening.intend(null);
     this.state.become("empty");
     this.state.report(fault);
   }
 
-  /** Opens another scenario; if it cannot be read, the present run stays. */
-  open(source: Source, overrides: Values): Promise<boolean> {
+  /** Opens another scenario, which may still be loading; if it cannot be read, the present run stays. */
+  open(source: Source | Promise<Source>, overrides: Values): Promise<boolean> {
     return this.opening.open(source, overrides);
   }
 
@@ -101,11 +102,14 @@ export class Session implements Player {
     return this.status === "running" || this.status === "stepping" || this.opening.due === "start";
   }
 
-  /** Starts the run; if an earlier moment is shown, the run branches from it. */
+  /**
+   * Starts the run; if an earlier moment is shown, the run branches from it. A scenario that is still being opened starts
+   * when it is open.
+   */
   start(): void {
     this.until_s = Infinity;
     if (this.shown.isBack) void this.rewinding.branch();
-    if (this.opening.turns.isBusy) this.opening.intend("start");
+    if (this.opening.turns.isBusy || this.status === "loading") this.opening.intend("start");
     else if (this.status === "idle" || this.status === "paused") this.state.become("running");
   }
 

@@ -52,6 +52,16 @@ export class Changes {
     this.dropDue();
   }
 
+  /**
+   * Takes the changes before the state of this step as made: the run continues from the state in another engine, and
+   * makes the later ones. `isSet` if the state includes the parameters that were set at its step.
+   */
+  skipTo(steps: number, isSet: boolean): void {
+    const isMade = (change: Change) => this.stepOf(change) < steps || (isSet && "parameter" in change && this.stepOf(change) === steps);
+    this.due.filter(isMade).forEach((change) => this.make(change));
+    this.due = this.due.filter((change) => !isMade(change));
+  }
+
   private stepOf({ time_s }: Change): number {
     return Math.round(time_s / this.step_s);
   }

@@ -1,7 +1,8 @@
 import type { Change } from "./changes";
 import type { Fault, Value, Values } from "./engine";
-import { faultOfBreakdown, faultOfSilence, isOfEngine, UNLOADED } from "./faults";
-import type { FromWorker, LeverMove, Replies, Reply, Request } from "./messages";
+import { ENDED, faultOfBreakdown, faultOfSilence, isOfEngine, UNLOADED } from "./faults";
+import { layLifeline, whenCut } from "./lifeline";
+import type { FromWorker, LeverMove, Replies, Reply, Request, Snapshot } from "./messages";
 
 /** Interval between two checks whether the worker is alive, while an answer is expected, ms. */
 const LOOK_EVERY_MS = 1000;
@@ -76,7 +77,8 @@ export class EngineClient {
     return this.ask({ kind: "input", name, value });
   }
 
-  parameter(name: string, value: Value): Promise<null> {
+  /** Sets a parameter; resolves with the time at which it acts, s. */
+  parameter(name: string, value: Value): Promise<number> {
     return this.ask({ kind: "parameter", name, value });
   }
 
@@ -97,6 +99,11 @@ export class EngineClient {
   /** Continues from an earlier state; `moves` are the lever moves after it, which are repeated. */
   restore(snapshot: Uint8Array, moves: LeverMove[] = []): Promise<Replies["restore"]> {
     return this.ask({ kind: "restore", snapshot, moves });
+  }
+
+  /** Continues the run of another engine from a keyframe, after an opening with all changes of the run. */
+  resume(keyframe: Snapshot): Promise<Replies["resume"]> {
+    return this.ask({ kind: "resume", keyframe });
   }
 
   /** Whether an answer is expected. */
@@ -120,13 +127,18 @@ export class EngineClient {
   private employed(): Worker {
     if (this.worker) return this.worker;
     const worker = this.startWorker();
-    worker.onmessage = (event: MessageEvent<FromWorker>) => this.worker === worker && this.hear(event.data);
-    worker.onerror = ({ message }) => this.worker === worker && this.lose(message ? faultOfBreakdown(message) : UNLOADED);
+    const lose = (fault: Fault) => this.worker === worker && this.lose(fault);
+    worker.onmessage = ({ data }: MessageEvent<FromWorker>) => {
+      if ("holds" in data) whenCut(data.holds, () => lose(ENDED));
+      else if (this.worker === worker) this.hear(data);
+    };
+    worker.onerror = ({ message }) => lose(message ? faultOfBreakdown(message) : UNLOADED);
     this.worker = worker;
+    layLifeline(worker);
     return worker;
   }
 
-  private hear(message: FromWorker): void {
+  private hear(message: Reply | { isAlive: true }): void {
     this.silentLooks = 0;
     if ("id" in message) this.settle(message);
   }

@@ -21,6 +21,7 @@ import type {
 import type { Equations } from "../generated/equations";
 import type { HydrostaticReport } from "../generated/hydrostatics";
 import type { SimulationSettings } from "../generated/scenario";
+import { inBrief } from "../app/format";
 import { parsed } from "./answers";
 import type { Resolved } from "./answers";
 import { faultOfBreakdown } from "./faults";
@@ -50,13 +51,16 @@ export type ParameterInfo = ParameterDescription;
 
 export type ModelInfo = Omit<Description, "bodies"> & { bodies: BodyInfo[] };
 
+/** Largest length of a title, characters: a file may have any. */
+const LONGEST_TITLE = 200;
+
 /**
  * Reads the description of a model from `model_json`, where the name of a shape's kind is the key of its data, as in a
  * scenario file.
  */
 export function readModel(json: string): ModelInfo {
   const described = parsed("model_json", json);
-  return { ...described, bodies: described.bodies.map((body) => ({ ...body, shape: readShape(body.shape) })) };
+  return { ...described, title: inBrief(described.title, LONGEST_TITLE), bodies: described.bodies.map((body) => ({ ...body, shape: readShape(body.shape) })) };
 }
 
 function readShape(tagged: BodyDescription["shape"]): Shape | null {

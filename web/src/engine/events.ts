@@ -31,7 +31,15 @@ export class Events {
     const fresh = answer(engine, "events_json", this.seen);
     this.seen += fresh.length;
     fresh.forEach((happened) => this.keep(happened));
-    return [...this.kept, ...answer(engine, "lever_moves_json").filter(isEnd).map(byHand)];
+    return [...this.kept, ...this.moves(engine).map(byHand)];
+  }
+
+  /** Returns the lever moves to mark: the last of each drag, without releases of levers that spring back. */
+  private moves(engine: Engine): LeverMove[] {
+    const ends = answer(engine, "lever_moves_json").filter(isEnd);
+    if (ends.every(({ value }) => value !== 0)) return ends;
+    const positions = answer(engine, "inputs_json").filter(({ unit }) => unit === "rad" || unit === "m").map(({ name }) => name);
+    return ends.filter(({ input, value }) => value !== 0 || positions.includes(input));
   }
 
   private keep({ time_s, element, code, what }: EventRecord): void {

@@ -16,6 +16,8 @@ export function isInEnglish({ kind }: Fault): boolean {
 
 export const UNLOADED: Fault = { kind: "engine", message: texts.engine.unloaded };
 
+export const ENDED: Fault = { kind: "engine", message: texts.engine.ended };
+
 export function faultOfLoading(why: string): Fault {
   return { kind: "engine", message: texts.engine.not_loaded(why) };
 }

@@ -28,9 +28,9 @@ export type Request =
   | { kind: "changes" }
   | { kind: "snapshot" }
   | { kind: "restore"; snapshot: Uint8Array; moves: LeverMove[] }
+  | { kind: "resume"; keyframe: Snapshot }
   | { kind: "parameter"; name: string; value: Value };
 
-/** A move of a lever by hand. */
 /** An event or a lever move, in the form of a warning. */
 export interface Happened {
   time_s: number;
@@ -39,6 +39,7 @@ export interface Happened {
   text: string;
 }
 
+/** A move of a lever by hand. */
 export interface LeverMove {
   time_s: number;
   input: string;
@@ -113,6 +114,8 @@ export interface Replay {
   moves: number;
   /** Parameters set during the run: the scenario has their last values from the start on. */
   parameters: { time_s: number; parameter: string }[];
+  /** Number of changes that an engine made which has ended: the scenario does not hold them. */
+  lost: number;
   /** Files of the scenario that are not in the gallery. */
   files: string[];
 }
@@ -126,17 +129,19 @@ export interface Replies {
   equations: Equations;
   /** Time at which the input acts, s. */
   input: number;
-  parameter: null;
+  /** Time at which the parameter acts, s. */
+  parameter: number;
   replay: Replay;
   changes: readonly Change[];
   snapshot: Uint8Array;
   restore: Restored;
+  resume: Restored;
 }
 
 /** Everything that goes to the worker. */
-export type ToWorker = { id: number; request: Request } | { isThere: true };
+export type ToWorker = { id: number; request: Request } | { isThere: true } | { lifeline: string };
 
-/** An answer, or a sign of life between answers. */
-export type FromWorker = Reply | { isAlive: true };
+/** An answer, a sign of life between answers, or the message that the worker holds its lifeline. */
+export type FromWorker = Reply | { isAlive: true } | { holds: string };
 
 export type Reply = { id: number; value: unknown } | { id: number; fault: Fault };

@@ -43,6 +43,8 @@ export class Runner {
   private owed_s = 0;
   /** Time of the newest recorded row, s. */
   private recorded_s = 0;
+  /** Time from which this engine continued the run of another engine; 0 if it computed the whole run, s. */
+  private resumed_s = 0;
   private fault: Fault | null = null;
   /** Whether a parameter was set since the last step. */
   private isSet = false;
@@ -71,6 +73,7 @@ export class Runner {
     this.steps = 0;
     this.stepsPerRecord = Math.max(1, Math.round(model.record_every_s / engine.step_s()));
     this.owed_s = 0;
+    this.resumed_s = 0;
     this.fault = null;
     this.isSet = false;
     this.again = [];
@@ -121,18 +124,38 @@ export class Runner {
 
   /** Continues the run from an earlier state and repeats these lever moves; a fault after that state is cleared. */
   restore(snapshot: Uint8Array, moves: LeverMove[] = []): Restored {
+    this.goTo(snapshot);
+    this.changes.dropAfter(this.steps);
+    this.again = [...moves];
+    this.moveAgain();
+    return this.restored();
+  }
+
+  /**
+   * Continues a run of another engine from a keyframe. The run was opened with all its changes: those before the keyframe
+   * count as made, the later ones are due.
+   */
+  resume({ bytes, isChange }: Snapshot): Restored {
+    this.goTo(bytes);
+    this.changes.skipTo(this.steps, isChange);
+    this.resumed_s = this.recorded_s;
+    return this.restored();
+  }
+
+  private goTo(snapshot: Uint8Array): void {
     const engine = this.current();
     engine.restore(snapshot);
     this.steps = Math.round(engine.time_s() / engine.step_s());
-    this.changes.dropAfter(this.steps);
     this.owed_s = 0;
     this.recorded_s = engine.time_s();
     this.fault = null;
     this.isSet = false;
     this.events = new Events();
-    this.again = [...moves];
-    this.moveAgain();
-    return { inputs: answer(engine, "inputs_json"), frame: this.frame(nothing()) };
+    this.again = [];
+  }
+
+  private restored(): Restored {
+    return { inputs: answer(this.current(), "inputs_json"), frame: this.frame(nothing()) };
   }
 
   /**
@@ -164,8 +187,11 @@ export class Runner {
     return time_s;
   }
 
-  parameter(name: string, value: Value): void {
-    this.setByHand({ time_s: this.current().time_s(), parameter: name, value });
+  /** Sets a parameter by hand; returns the time at which it acts, s. */
+  parameter(name: string, value: Value): number {
+    const time_s = this.current().time_s();
+    this.setByHand({ time_s, parameter: name, value });
+    return time_s;
   }
 
   /** Changes made so far, by hand or repeated from a link. */
@@ -209,6 +235,7 @@ export class Runner {
       integrator: answer(engine, "resolved_json").simulation.integrator,
       moves: answer(engine, "lever_moves_json").length,
       parameters: answer(engine, "parameters_set_json"),
+      lost: this.changes.made.filter(({ time_s }) => time_s < this.resumed_s).length,
     };
   }
 

@@ -3,6 +3,7 @@ import moduleUrl from "./pkg/kingpost_wasm_bg.wasm?url";
 import { asFault } from "./engine";
 import { faultOfLoading } from "./faults";
 import { isOfGallery } from "./files";
+import { holdLifeline } from "./lifeline";
 import type { FromWorker, Replay, Replies, Request, ToWorker } from "./messages";
 import { fetched, said } from "./network";
 import { Runner } from "./runner";
@@ -63,9 +64,10 @@ async function answer(request: Request): Promise<Replies[keyof Replies]> {
       return runner.snapshot();
     case "restore":
       return runner.restore(request.snapshot, request.moves);
+    case "resume":
+      return runner.resume(request.keyframe);
     case "parameter":
-      runner.parameter(request.name, request.value);
-      return null;
+      return runner.parameter(request.name, request.value);
   }
 }
 
@@ -85,6 +87,7 @@ let turn: Promise<void> = Promise.resolve();
 // a file.
 self.onmessage = ({ data }) => {
   if ("isThere" in data) self.postMessage({ isAlive: true });
+  else if ("lifeline" in data) holdLifeline(data.lifeline, () => self.postMessage({ holds: data.lifeline }));
   else turn = turn.then(() => settle(data));
 };
 

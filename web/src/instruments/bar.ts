@@ -68,7 +68,7 @@ export function bounds(limit: LimitInfo): string {
 }
 
 /** Formats a bound as the scenario gives it, without its unit. */
-function plain(bound: number): string {
+export function plain(bound: number): string {
   return String(Number(bound.toPrecision(6))).replace("-", "−");
 }
 

@@ -5,6 +5,7 @@ import { byId, make, setText } from "../ui/dom";
 import { isPanelOpen, offerPanel, onPanelOpened } from "../ui/switcher";
 import { Alarm } from "./alarm";
 import { LimitBar } from "./bar";
+import { Cockpit } from "./cockpit";
 import { gravest, LimitTrack } from "./limits";
 import type { LimitState } from "./limits";
 import { ReadingTable } from "./reading_table";
@@ -21,6 +22,7 @@ export class Instruments {
   private readonly alarm = new Alarm();
   private readonly said = make("p", { class: "visually-hidden", role: "status" });
   private readonly body = make("div", { class: "instruments" });
+  private readonly cockpit = new Cockpit();
   private tracks: LimitTrack[] = [];
   private bars: LimitBar[] = [];
   private states: LimitState[] = [];
@@ -42,6 +44,7 @@ export class Instruments {
     this.tracks = model.limits.map((limit) => new LimitTrack(limit, columns.at(limit.column), columns.at(STEP)));
     this.bars = this.tracks.map((track) => new LimitBar(track));
     this.states = this.tracks.map(() => "waiting");
+    this.cockpit.open(run, this.tracks);
     this.see(run, rows);
     const [dials, readings] = [ShipDials.of(run, this.session), ReadingTable.of(run, this.session)];
     this.parts = [dials, readings].filter((part) => part !== null);
@@ -72,6 +75,7 @@ export class Instruments {
     const states = this.bars.map((bar) => bar.show(moment.time_s, moment.row));
     if (this.session.status === "running") this.warnOf(states);
     this.states = states;
+    this.cockpit.show(run, moment, states);
     this.tab.dataset.state = gravest(states);
     if (isPanelOpen("instruments")) for (const part of this.parts) part.show(run, moment);
   }

@@ -84,6 +84,18 @@ export class LimitTrack {
     return margin < NEAR * this.scale() ? "near" : "ok";
   }
 
+  /** Returns the distance of the value in a row to the nearest bound as a share of the scale; negative beyond a bound. */
+  roomIn(row: ArrayLike<number>): number {
+    return marginOf(this.limit, this.valueIn(row)) / this.scale();
+  }
+
+  /** Returns the bound that is nearest to a value. */
+  boundNear(value: number): number {
+    const { at_least, at_most } = this.limit;
+    if (at_most === null || at_least === null) return at_most ?? at_least ?? NaN;
+    return at_most - value < value - at_least ? at_most : at_least;
+  }
+
   /** Returns the ends of a bar that shows the bounds and all values so far. */
   range(): [number, number] {
     const { at_least, at_most } = this.limit;

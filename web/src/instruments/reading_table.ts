@@ -4,10 +4,7 @@ import { texts } from "../texts";
 import { make, setText } from "../ui/dom";
 import { number } from "./bar";
 import { rangeOf } from "./range";
-import { pointsOf, readingsOf } from "./readings";
-
-/** Displayed unit of an SI unit, and the factor from the SI unit to it. */
-const SHOWN: Record<string, [string, number]> = { N: ["kN", 1e-3], kg: ["t", 1e-3], rad: ["°", 180 / Math.PI], "1": ["", 1] };
+import { pointsOf, readingsOf, SHOWN } from "./readings";
 
 interface Row {
   column: string;

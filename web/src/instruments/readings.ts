@@ -9,6 +9,9 @@ const READ = [
   "hook_load", "clearance", "air_gap", "_utilisation",
   "wave_elevation", "wind_speed", "wind_direction",
 ];
+/** Displayed unit of an SI unit, and the factor from the SI unit to it. */
+export const SHOWN: Record<string, [string, number]> = { N: ["kN", 1e-3], kg: ["t", 1e-3], rad: ["°", 180 / Math.PI], "1": ["", 1] };
+
 /** Length of the past over which the range of a motion is shown, s. */
 export const RANGE_S = 60;
 
@@ -26,9 +29,11 @@ export function readingsOf(channels: readonly Channel[]): Reading[] {
   const scalar = channels.filter(({ of_elements, labels }) => of_elements && labels.length === 1);
   return scalar
     .filter(({ variable }) => READ.some((ending) => variable.endsWith(ending)))
-    .flatMap(({ labels, long_name, columns, units }) =>
-      labels[0].map((thing, k) => ({ thing, label: withoutThing(long_name), column: columns[k], unit: units[k] })),
-    );
+    .flatMap(({ variable, labels, long_name, description, columns, units }) => {
+      const alike = scalar.some((other) => other.variable !== variable && other.long_name === long_name);
+      const label = alike ? `${withoutThing(long_name)}${description.replace(long_name, "")}` : withoutThing(long_name);
+      return labels[0].map((thing, k) => ({ thing, label, column: columns[k], unit: units[k] }));
+    });
 }
 
 /** Leaves out of a description the words that follow from its element: "tension of a line" becomes "tension". */

@@ -2,6 +2,7 @@ import type { Run } from "../app/run";
 import type { InputInfo } from "../engine/engine";
 import type { Axis, Place } from "./axes";
 import { Drive } from "./drive";
+import { namesOf } from "./names";
 
 /** Device by which a lever is moved. */
 export type Hand = "thumb" | "keys" | "gamepad" | "slider";
@@ -22,6 +23,7 @@ export class Lever {
   readonly drive: Drive;
   /** Whether the input is an angle or a length; the stick then sets its rate. */
   readonly isPosition: boolean;
+  private readonly names: Map<string, string>;
   private readonly hands = new Map<Hand, number>();
 
   constructor(
@@ -30,12 +32,13 @@ export class Lever {
     readonly input: InputInfo,
     run: Run,
   ) {
+    this.names = namesOf(run.inputs);
     this.drive = new Drive(run, input);
     this.isPosition = input.unit === "rad" || input.unit === "m";
   }
 
   get name(): string {
-    return this.input.name.replaceAll("_", " ");
+    return this.names.get(this.input.name)!;
   }
 
   /** Sets the deflection by one device; null releases the lever. */

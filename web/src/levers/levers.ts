@@ -2,6 +2,7 @@ import type { Moment } from "../app/recording/recording";
 import type { Run, Session } from "../app/session";
 import { texts } from "../texts";
 import { byId, make, setText } from "../ui/dom";
+import { pullByDefault } from "../ui/switcher";
 import { AXES, onSticks, placesOf } from "./axes";
 import type { Axis, Places } from "./axes";
 import { areHidden, chosenPlaces, choosePlaces, hideSticks } from "./chosen";
@@ -120,6 +121,7 @@ export class Levers {
     this.box.hidden = this.button.hidden || this.isAway;
     this.button.setAttribute("aria-pressed", String(!this.box.hidden));
     document.documentElement.dataset.levers = this.box.hidden ? "away" : "there";
+    pullByDefault(this.box.hidden ? "up" : "down");
   }
 
   private letGo(lever: Lever): void {

@@ -20,6 +20,8 @@ export interface Place extends NaturalMode {
 /** One mode at the values of the parameter, in ascending order. */
 export interface PeriodLine {
   coordinate: string;
+  /** Number of the line among those of its coordinate, from 1; left out if it is the only one. */
+  number?: number;
   places: Place[];
 }
 
@@ -42,6 +44,10 @@ export function linesOf(found: readonly ModesAt[]): PeriodLine[] {
         line.places.push({ ...mode, value });
       } else lines.push({ coordinate: mode.coordinate, places: [{ ...mode, value }] });
     }
+  }
+  for (const line of lines) {
+    const alike = lines.filter(({ coordinate }) => coordinate === line.coordinate);
+    if (alike.length > 1) line.number = alike.indexOf(line) + 1;
   }
   return lines;
 }

@@ -51,14 +51,19 @@ export function withUnit(text: string, unit: string, between = ", "): string {
 
 export function legendOf(lines: readonly PeriodLine[], sea: SeaSpectrum | null): HTMLElement[] {
   const entry = (colour: string, name: string) => make("span", { class: "plot-entry" }, swatch(colour), name);
-  const entries = lines.map(({ coordinate }, k) => entry(colourOf(k), inWords(coordinate)));
+  const entries = lines.map((line, k) => entry(colourOf(k), nameOf(line)));
   return sea ? [...entries, entry(SEA_COLOUR, texts.resonance.sea)] : entries;
 }
 
 /** Returns a table with a row for each value of the parameter and a column for each line. */
 export function tableOf(axis: string, lines: readonly PeriodLine[]): HTMLElement[] {
   const values = [...new Set(lines.flatMap(({ places }) => places.map(({ value }) => value)))].sort((a, b) => a - b);
-  const head = make("tr", {}, make("th", { scope: "col" }, axis), ...lines.map(({ coordinate }) => make("th", { scope: "col" }, `${inWords(coordinate)}, s`)));
+  const head = make("tr", {}, make("th", { scope: "col" }, axis), ...lines.map((line) => make("th", { scope: "col" }, `${nameOf(line)}, s`)));
   const cell = (line: PeriodLine, value: number) => fixed(line.places.find((place) => place.value === value)?.period_s ?? NaN, 2);
   return [head, ...values.map((value) => make("tr", {}, make("th", { scope: "row" }, String(value)), ...lines.map((line) => make("td", {}, cell(line, value)))))];
+}
+
+/** Returns the name of a mode; modes of one coordinate have numbers. */
+function nameOf({ coordinate, number }: PeriodLine): string {
+  return number === undefined ? inWords(coordinate) : `${inWords(coordinate)} (${number})`;
 }

@@ -33,7 +33,7 @@ export class Figures {
     const turning = bodies.flatMap((body) => [this.rates(body), this.angles(body)]);
     const joints = [this.joints("joint_velocity", texts.plots.joint_rates), this.joints("joint_position", texts.plots.joint_positions)];
     const limited = this.limited().map((id) => this.line(id)!);
-    const forces: Figure = { title: texts.plots.limited_forces, lines: limited, labels: limited.map(labelOf) };
+    const forces: Figure = { title: texts.plots.limited_forces, lines: limited, labels: limited.map((line) => shortLabelOf(line, limited)) };
     this.all = [...turning, ...model.hulls.map((hull) => this.heave(hull)), ...joints, ...(limited.length > 1 ? [forces] : []), ...this.vectors()].filter(({ lines }) => lines.length > 0);
   }
 
@@ -121,6 +121,12 @@ export class Figures {
       return { title, lines: own, labels: own.map(({ what }) => what.slice(words.length + 1) || what) };
     });
   }
+}
+
+/** Returns the name of a line's element, or of the whole line if another one is of the same element. */
+function shortLabelOf(line: Line, among: readonly Line[]): string {
+  const isAlone = line.thing !== "" && among.every((other) => other === line || other.thing !== line.thing);
+  return isAlone ? inWords(line.thing) : labelOf(line);
 }
 
 function idsOf({ lines }: Figure): string[] {

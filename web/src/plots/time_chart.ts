@@ -1,6 +1,8 @@
 import uPlot from "uplot";
 import { fixed } from "../app/format";
 import { texts } from "../texts";
+import { joined } from "./bound_labels";
+import type { BoundLabel } from "./bound_labels";
 import { acrossAxis, heightsOf, paddingOf, stroke, styleOf, uprightAxis, word } from "./chart";
 import type { Chart, Content, Style } from "./chart";
 import type { DrawnLine } from "./drawn";
@@ -14,6 +16,8 @@ const LEAST = 1e-9;
 /** Smallest width of a selection, pixels; a narrower one counts as a click. */
 const LEAST_DRAG_PX = 6;
 const TIME_DECIMALS = 2;
+/** Smallest distance between the labels of two limits, pixels. */
+const LABEL_PX = 13;
 
 /** Chart of lines over time, with an axis for each unit and the limits of the columns. */
 export class TimeChart implements Chart {
@@ -138,16 +142,18 @@ export class TimeChart implements Chart {
     const { content } = this;
     if (!content) return;
     const end_s = content.range_s[1];
+    const labels: BoundLabel[] = [];
     for (const { bounds, colour, shown } of content.lines) {
       const scale = scaleOf(shown.unit);
       const { min, max } = u.scales[scale];
       const isShown = ({ value, until_s }: (typeof bounds)[number]) => value >= min! && value <= max! && until_s >= content.range_s[0];
       for (const { name, value, from_s, until_s } of bounds.filter(isShown)) {
         stroke(u, [[Math.max(from_s, content.range_s[0]), value], [Math.min(end_s, until_s), value]], scale, { colour: style.colour(colour), width: 1.5, dash: [6, 4] });
-        const place: [number, number] = [u.bbox.left + u.bbox.width - 4 * devicePixelRatio, u.valToPos(value, scale, true) - 2 * devicePixelRatio];
-        word(u, name, place, String(style.axis.font), style.colour("ink"), "right");
+        labels.push({ name, y: u.valToPos(value, scale, true) - 2 * devicePixelRatio });
       }
     }
+    const right = u.bbox.left + u.bbox.width - 4 * devicePixelRatio;
+    for (const { name, y } of joined(labels, LABEL_PX * devicePixelRatio)) word(u, name, [right, y], String(style.axis.font), style.colour("ink"), "right");
   }
 }
 

@@ -13,9 +13,9 @@ export class StartPage {
   private readonly alert = make("p", { class: "start-alert", role: "alert", "data-testid": "start-alert" });
   private readonly groups = make("div", { class: "start-groups" }, make("p", { class: "muted" }, start.loading));
 
-  /** `open` receives the address of the chosen scenario; `prepare` is called when the user is likely to choose one. */
+  /** `open` receives the address of the chosen scenario, and whether its run starts; `prepare` is called when the user is likely to choose one. */
   constructor(
-    private readonly open: (query: string) => void,
+    private readonly open: (query: string, starts: boolean) => void,
     private readonly prepare: () => void,
   ) {
     this.page.append(this.hero(), make("main", { class: "start-main" }, this.alert, make("h2", { class: "visually-hidden" }, start.choose), this.groups));
@@ -25,7 +25,7 @@ export class StartPage {
   }
 
   private hero(): HTMLElement {
-    const paper = make("a", { class: "button button-primary", href: addressOf(OPENING.scenario!), "data-testid": "open-paper" }, start.open_paper);
+    const paper = make("a", { class: "button button-primary", href: addressOf(OPENING.scenario!), "data-testid": "open-paper", "data-starts": true }, start.open_paper);
     const file = make("button", { type: "button", class: "button", "data-opens-file": true }, start.open_file);
     const words = make(
       "div",
@@ -64,7 +64,7 @@ export class StartPage {
     const link = linkOf(event);
     if (!link || event.button !== 0 || event.metaKey || event.ctrlKey || event.shiftKey || event.altKey) return;
     event.preventDefault();
-    this.open(link.getAttribute("href")!);
+    this.open(link.getAttribute("href")!, "starts" in link.dataset);
   }
 
   private notice(event: Event): void {

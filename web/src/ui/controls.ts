@@ -1,6 +1,7 @@
 import type { Session } from "../app/session";
 import type { InputInfo, ParameterInfo } from "../engine/engine";
 import { onSticks } from "../levers/axes";
+import { namesOf } from "../levers/names";
 import { texts } from "../texts";
 import { checkbox, choice, number, sliderRange } from "./items";
 import type { Item } from "./items";
@@ -86,7 +87,8 @@ export class Controls {
   private lever(name: string): Item {
     const input = this.session.run!.inputs.find((one) => one.name === name)!;
     const range = sliderRange(input);
-    const lever = number({ name: `input-${name}`, label: name.replaceAll("_", " "), unit: input.unit === "1" ? "" : input.unit, range }, (value) => {
+    const label = namesOf(this.session.run!.inputs).get(name)!;
+    const lever = number({ name: `input-${name}`, label, unit: input.unit === "1" ? "" : input.unit, range }, (value) => {
       void this.session.setInput(name, value);
       lever.show(value, false);
     });

@@ -47,7 +47,10 @@ export function oneOf<Name extends string>(
   const items = choices.map(({ name, label }) => {
     const input = make("input", { type: "radio", name: group, value: name, checked: name === chosen, "data-testid": `${group}-${name}` });
     input.addEventListener("change", () => choose(name));
-    return make("label", { class: "menu-item" }, input, make("span", {}, label));
+    const item = make("label", { class: "menu-item" }, input, make("span", {}, label));
+    // A press closes the menu; arrow keys, which go through the choices, do not.
+    item.addEventListener("click", ({ detail }) => detail > 0 && item.closest("details")?.removeAttribute("open"));
+    return item;
   });
   return make("fieldset", {}, make("legend", { class: "visually-hidden" }, legend), ...items);
 }

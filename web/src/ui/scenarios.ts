@@ -131,16 +131,10 @@ export class Scenarios {
   }
 
   private async openNamed(name: string, values: Values): Promise<boolean> {
-    try {
-      return await this.open(name, await this.gallery.read(name), values);
-    } catch (fault) {
-      this.session.report(asFault(fault));
-      this.select.value = this.shown;
-      return false;
-    }
+    return this.open(name, this.gallery.read(name), values);
   }
 
-  private async open(choice: string, source: Source, values: Values): Promise<boolean> {
+  private async open(choice: string, source: Source | Promise<Source>, values: Values): Promise<boolean> {
     const isOpen = await this.session.open(source, values);
     if (isOpen) [this.shown, this.values] = [choice, this.session.values.wanted];
     this.fill();

@@ -19,6 +19,7 @@ export class Transport {
 
   constructor(private readonly session: Session) {
     this.start.addEventListener("click", () => this.toggle());
+    addEventListener("keydown", (event) => this.key(event));
     this.step.addEventListener("click", () => void session.step());
     this.reset.addEventListener("click", () => void session.reset());
     this.speed.addEventListener("change", () => (session.speed = Number(this.speed.value)));
@@ -36,6 +37,15 @@ export class Transport {
     else this.session.start();
   }
 
+  /** Starts and pauses by Space, unless the element with focus uses it. */
+  private key(event: KeyboardEvent): void {
+    const { key, target, repeat, ctrlKey, metaKey, altKey } = event;
+    if (key !== " " || repeat || ctrlKey || metaKey || altKey || event.defaultPrevented || this.start.disabled || byId("app").hidden) return;
+    if (target instanceof Element && target.closest("input, select, textarea, button, summary, a, dialog, .panel, .plots, [role=slider], [contenteditable]")) return;
+    event.preventDefault();
+    this.toggle();
+  }
+
   /** Shows whether Start continues from an earlier moment. */
   private showBack(): void {
     if (this.isBack === this.session.shown.isBack) return;
@@ -46,12 +56,12 @@ export class Transport {
   private show(status: Status): void {
     const running = this.session.isGoing;
     const { isBack } = this.session.shown;
-    const dead = (status === "stopped" && !isBack) || status === "loading" || status === "empty";
+    const dead = (status === "stopped" && !isBack) || status === "empty";
     setText(byId("start-label"), running ? words.pause : isBack ? words.from_here : status === "paused" ? words.resume : words.start);
-    this.start.title = isBack ? words.from_here_help : "";
+    this.start.title = isBack ? words.from_here_help : words.space;
     byId("start-icon", SVGElement).setAttribute("d", running ? PAUSE : PLAY);
     this.start.disabled = dead;
-    this.step.disabled = dead;
+    this.step.disabled = dead || status === "loading";
     this.reset.disabled = status === "loading" || this.session.source === null;
     const pending = status !== "idle" && status !== "empty" && this.session.pending().length > 0;
     this.reset.classList.toggle("is-due", pending || status === "stopped" || (status === "empty" && !this.reset.disabled));
@@ -61,7 +71,7 @@ export class Transport {
 
   private line(status: Status): string {
     const { run, shown } = this.session;
-    if (status === "loading") return words.loading;
+    if (status === "loading") return this.session.isGoing ? words.starts_then : words.loading;
     if (status === "empty") return this.session.source ? words.try_again : words.open_one;
     if (!run || !shown.recording || status !== "stopped") return "";
     return words.stopped(fixed(shown.recording.now.time_s, 3));

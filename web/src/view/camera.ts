@@ -1,7 +1,7 @@
 import { PerspectiveCamera, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import type { Post } from "./craft/craft";
-import { cornersOf, fitDistance, frame, roomIn, unit } from "./fit";
+import { fitDistance, frame, gatheredCorners, reachOf, roomIn, unit } from "./fit";
 import type { Area, Box, Vec3 } from "./fit";
 import { Outlook } from "./outlook";
 import type { Place } from "./viewpoint";
@@ -36,6 +36,8 @@ export class Eye {
   private boxes: Box[] = [];
   private poses: ArrayLike<number> = [];
   private root: Vec3 = [0, 0, 0];
+  /** Distance of the farthest corner from the first body at the start of the run, m. */
+  private reach = 0;
   /** Index of the body that the camera follows. */
   private followed = 0;
   /** Direction from the target to the eye for a fit. */
@@ -68,9 +70,10 @@ export class Eye {
     canvas.addEventListener("keydown", (event) => this.key(event));
   }
 
-  /** Sets the bodies to keep in the picture. */
-  watch(boxes: Box[], poses: ArrayLike<number>): void {
+  /** Sets the bodies to keep in the picture; `start` holds their poses at the start of the run. */
+  watch(boxes: Box[], poses: ArrayLike<number>, start: ArrayLike<number>): void {
     this.boxes = boxes;
+    this.reach = reachOf(start, boxes);
     this.poses = poses;
     this.root = this.rootOf(poses);
     this.orbit.minDistance = 0.2 * this.size();
@@ -152,7 +155,7 @@ export class Eye {
     [this.width, this.height] = [width, height];
     this.camera.aspect = width / height;
     if (this.outlook.isTaken) this.camera.updateProjectionMatrix();
-    else if (this.isTaken) this.makeRoom(cornersOf(this.poses, this.boxes));
+    else if (this.isTaken) this.makeRoom(this.corners());
     else this.fit();
   }
 
@@ -168,7 +171,7 @@ export class Eye {
   fit(): void {
     if (this.outlook.isTaken) return;
     this.isTaken = false;
-    const points = cornersOf(this.poses, this.boxes);
+    const points = this.corners();
     this.makeRoom(points);
     if (points.length === 0) return;
     this.stopSwinging();
@@ -219,6 +222,11 @@ export class Eye {
     return Math.max(0.1, ...this.boxes.map(({ low, high }) => Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2])));
   }
 
+  /** Returns the corners of the bodies to keep in the picture. */
+  private corners(): Vec3[] {
+    return gatheredCorners(this.poses, this.boxes, this.reach);
+  }
+
   private lens() {
     return this.lensOf(this.room);
   }
@@ -239,7 +247,7 @@ export class Eye {
 
   /** Moves the camera by a share of the way to a view that contains everything; never moves it nearer. */
   private stepBack(share: number): void {
-    const points = cornersOf(this.poses, this.boxes);
+    const points = this.corners();
     const offset = this.camera.position.clone().sub(this.orbit.target);
     const distance = offset.length();
     const back = unit([offset.x, offset.y, offset.z]);

@@ -43,6 +43,27 @@ export function cornersOf(poses: ArrayLike<number>, boxes: readonly Box[]): Vec3
   });
 }
 
+/** Largest distance of a followed body from the first one, in distances of the farthest corner at the start. */
+const STRAYED = 2;
+
+/** Returns the distance of the farthest corner of all boxes from the first body, m. */
+export function reachOf(poses: ArrayLike<number>, boxes: readonly Box[]): number {
+  return cornersOf(poses, boxes).reduce((reach, [x, y, z]) => Math.max(reach, Math.hypot(x - poses[0], y - poses[1], z - poses[2])), 0);
+}
+
+/**
+ * Returns the corners of the bodies that belong in the picture: all except those that have gone far from the first
+ * body, for example a load that was lost. `reach` is the reach at the start of the run, m.
+ */
+export function gatheredCorners(poses: ArrayLike<number>, boxes: readonly Box[], reach: number): Vec3[] {
+  const corners = cornersOf(poses, boxes);
+  const isNear = ([x, y, z]: Vec3) => Math.hypot(x - poses[0], y - poses[1], z - poses[2]) <= STRAYED * reach;
+  return boxes.flatMap((_, body) => {
+    const own = corners.slice(CORNERS.length * body, CORNERS.length * (body + 1));
+    return body === 0 || own.every(isNear) ? own : [];
+  });
+}
+
 const CORNERS = [0, 1].flatMap((x) => [0, 1].flatMap((y) => [0, 1].map((z) => [x, y, z])));
 
 export function middleOf(points: readonly Vec3[]): Vec3 {

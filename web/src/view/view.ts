@@ -88,7 +88,9 @@ export class View {
     this.drawing = Drawing.of(this.renderer);
     this.scene.add(this.ground, this.sea, this.daylight, this.fleet.world, this.seabed, this.section, this.marks.group, this.overlays, this.cloud);
     this.light();
-    new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
+    const resized = new ResizeObserver(() => this.resize());
+    // On a phone the panels are over the picture.
+    for (const element of [canvas.parentElement!, ...document.querySelectorAll(".panel, .plots")]) resized.observe(element);
     onPalette(() => this.repaint());
   }
 
@@ -101,7 +103,7 @@ export class View {
     this.seabed.place(run.lines, frame.line_points);
     this.fleet.tint(this.tints);
     const axes = this.framesShown ? FRAME_LENGTH * this.fleet.size : 0;
-    this.eye.watch(this.fleet.drawn.map((box) => withFrame(box, 1.3 * axes)), frame.poses);
+    this.eye.watch(this.fleet.drawn.map((box) => withFrame(box, 1.3 * axes)), frame.poses, this.start.poses);
     if (axes > 0) this.addFrames(axes);
     this.ground.space(this.spacing());
     this.ground.visible = shipsInTheSea(run.model).length === 0;

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import { item, openApp, openFile, rested, sample, setNumber, settle } from "./app.mjs";
+import { item, openApp, openFile, openPage, rested, sample, setNumber, settle } from "./app.mjs";
 
 const paper = readFileSync(fileURLToPath(new URL("../../../scenarios/paper.yaml", import.meta.url)), "utf8");
 const OWN = "A ship of mine";
@@ -38,6 +38,16 @@ export default {
     await page.reload();
     await page.waitForFunction(() => window.kingpost?.sample());
     assert.equal((await sample(page)).poses[7], 7);
+    await close();
+  },
+
+  async "an address that holds no run of this app is reported, on both pages"(host) {
+    const start = await openPage(host, { query: "#run=AAAA" });
+    await start.page.waitForFunction(() => /could not be read: it holds “run”/.test(document.querySelector("[data-testid=start-alert]").textContent));
+    await start.close();
+    const { page, close } = await openApp(host, { query: "?scenario=chain#run=AAAA" });
+    await page.getByTestId("alert-message").waitFor();
+    assert.match(await page.getByTestId("alert-message").textContent(), /could not be read: it holds “run”/);
     await close();
   },
 

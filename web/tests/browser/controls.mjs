@@ -6,6 +6,19 @@ import { item, look, openApp, rested, sample, setChecked, setNumber, settle, ste
 const TOWER = 7;
 
 export default {
+  async "the space bar starts and pauses, except where an element uses it"(host) {
+    const { page, close } = await openApp(host);
+    await page.getByTestId("canvas").focus();
+    await page.keyboard.press("Space");
+    await page.waitForFunction(() => window.kingpost.sample().status === "running");
+    await page.keyboard.press("Space");
+    await page.waitForFunction(() => window.kingpost.sample().status === "paused");
+    await item(page, "load").focus();
+    await page.keyboard.press("Space");
+    assert.equal((await sample(page)).status, "paused");
+    await close();
+  },
+
   async "at the start the picture follows a slider at once"(host) {
     const { page, close } = await openApp(host, { draws: true });
     const before = await look(page);

@@ -34,6 +34,8 @@ async function drop(page, name, text) {
 export default {
   async "a pinch zooms the picture and does not scroll the page"(host) {
     const { page, close } = await openApp(host, { draws: true, reducedMotion: "no-preference", viewport: PHONE });
+    await page.getByTestId("show-controls").tap();
+    await rested(page);
     const before = await look(page);
     await spread(page);
     const after = await look(page);

@@ -153,6 +153,66 @@ export default {
     await close();
   },
 
+  async "load and limits are on the picture of a phone, clear of the sticks, in both orientations"(host) {
+    const areas = (page) =>
+      page.evaluate(() => {
+        const parts = { scene: "#scene", load: '[data-testid="cockpit-load"]', worst: '[data-testid="cockpit-worst"]', left: '[data-testid="stick-left"]', right: '[data-testid="stick-right"]', numbers: "#floating" };
+        const area = (part) => (({ left, top, right, bottom }) => ({ left, top, right, bottom }))(document.querySelector(part).getBoundingClientRect());
+        return Object.fromEntries(Object.entries(parts).map(([name, part]) => [name, area(part)]));
+      });
+    const meet = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+    for (const viewport of [PHONE, { width: 844, height: 390 }]) {
+      const { page, close } = await openApp(host, { query: QUAYSIDE, viewport });
+      assert.match(await page.getByTestId("cockpit-load").textContent(), /^Hook load0\.00 \/ 7\.\d+ t$/);
+      assert.match(await page.getByTestId("cockpit-worst").textContent(), /^heel−?\d\.\d+ \/ −?5 deg$/);
+      const found = await areas(page);
+      for (const name of ["load", "worst"]) {
+        const { left, top, right, bottom } = found[name];
+        assert.ok(left >= 0 && top >= found.scene.top && right <= viewport.width && bottom <= found.scene.bottom, `${name} is in the picture: ${JSON.stringify(found)}`);
+        assert.deepEqual(["left", "right", "numbers"].filter((other) => meet(found[name], found[other])), [], `${name} is clear`);
+      }
+      assert.ok(!meet(found.numbers, found.left) && !meet(found.numbers, found.right), JSON.stringify(found));
+      await close();
+    }
+  },
+
+  async "the panel is a sheet over the picture of a phone, and the camera's menu closes"(host) {
+    for (const viewport of [PHONE, { width: 844, height: 390 }]) {
+      const { page, close } = await openApp(host, { query: QUAYSIDE, viewport });
+      const before = await page.locator("#canvas").boundingBox();
+      assert.equal(await page.locator("#controls").isVisible(), false, "the sticks have the picture");
+      await page.getByTestId("show-controls").click();
+      assert.deepEqual(await page.locator("#canvas").boundingBox(), before, "the picture keeps its size");
+      const sheet = await page.locator("#controls").boundingBox();
+      assert.ok(sheet.y >= before.y && sheet.y + sheet.height <= before.y + before.height + 1, JSON.stringify([before, sheet]));
+      await page.getByTestId("show-controls").click();
+      assert.equal(await page.locator("#controls").isVisible(), false);
+      await page.locator(".skip-link").focus();
+      await page.keyboard.press("Enter");
+      assert.equal(await page.evaluate(() => document.activeElement.id), "controls", "the link leads to the controls");
+      assert.ok(await page.locator("#controls").isVisible());
+      await page.getByTestId("show-controls").click();
+      await page.locator("#cameras summary").click();
+      const { bottom, scrolled } = await page.evaluate(() => {
+        const panel = document.querySelector("#cameras .menu-panel");
+        return { bottom: panel.getBoundingClientRect().bottom, scrolled: panel.scrollHeight - panel.clientHeight };
+      });
+      assert.ok(scrolled <= 1 && bottom <= before.y + before.height, "every entry is visible");
+      await page.getByTestId("camera-top").click();
+      assert.equal(await page.locator("#cameras").getAttribute("open"), null);
+      const right = await page.getByTestId("stick-right").boundingBox();
+      const ahead = await page.evaluate(() => {
+        const details = document.getElementById("ahead");
+        details.hidden = false;
+        details.open = true;
+        details.querySelector("p").textContent = "Each future agrees with the wave that was measured at the ship. ".repeat(6);
+        return details.getBoundingClientRect().toJSON();
+      });
+      assert.ok(ahead.bottom <= right.y || ahead.right <= right.x, `look-ahead ends at ${ahead.right}, ${ahead.bottom}, the stick begins at ${right.x}, ${right.y}`);
+      await close();
+    }
+  },
+
   async "letter keys move the levers, except while a number is typed"(host) {
     const { page, close } = await openApp(host, { query: QUAYSIDE });
     await page.getByTestId("start").click();

@@ -18,6 +18,7 @@ async function openStart(host, { viewport = DESKTOP, prepare } = {}) {
   return opened;
 }
 
+const isRunning = (page) => page.waitForFunction(() => window.kingpost?.sample()?.time_s > 0);
 const isIdle = (page) => page.waitForFunction(() => window.kingpost?.sample()?.status === "idle");
 
 async function isAccessible(page, viewport, palettes) {
@@ -126,7 +127,19 @@ export default {
     await page.keyboard.press("Tab");
     assert.equal(await page.evaluate(() => document.activeElement.dataset.testid), "open-paper");
     await page.keyboard.press("Enter");
-    await isIdle(page);
+    await isRunning(page);
+    await close();
+  },
+
+  async "a press of Start before the simulator has loaded starts the run"(host) {
+    let load = () => {};
+    const asked = new Promise((resolve) => (load = resolve));
+    const slowly = (context) => context.route("**/simulator-*.js", async (route) => (await asked, route.continue()));
+    const { page, close } = await openPage(host, { query: PAPER, viewport: PHONE, prepare: slowly });
+    await page.getByTestId("start").tap();
+    await page.getByText("Starts when it is loaded.").waitFor();
+    load();
+    await isRunning(page);
     await close();
   },
 };

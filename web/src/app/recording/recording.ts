@@ -1,3 +1,4 @@
+import type { Change } from "../../engine/changes";
 import type { Columns } from "../../engine/columns";
 import type { Values, Warning } from "../../engine/engine";
 import type { Frame, Happened, LeverMove, Snapshot } from "../../engine/messages";
@@ -54,7 +55,7 @@ export class Recording {
   private readonly pictures: Series<PictureAtSea>;
   private readonly keyframes: Series<Keyframe>;
   private readonly told = { warnings: new Noted<Warning>(), events: new Noted<Happened>() };
-  private moves: LeverMove[] = [];
+  private made: Change[] = [];
   private merged: { from: (readonly Happened[])[]; marks: readonly Happened[] } = { from: [], marks: [] };
   /** The newest moment; its time need not be a recording time. */
   now: Moment;
@@ -162,9 +163,18 @@ export class Recording {
     return this.keyframes.items[this.keyframes.indexAt(time_s)];
   }
 
-  /** Records a lever move by hand. */
-  noteMove(move: LeverMove): void {
-    this.moves.push(move);
+  /** Records a lever move or a parameter that was set. */
+  note(change: Change): void {
+    this.made.push(change);
+  }
+
+  /** Lever moves and parameters that were set, in order. */
+  get changes(): readonly Change[] {
+    return this.made;
+  }
+
+  private get moves(): LeverMove[] {
+    return this.made.filter((change) => "input" in change);
   }
 
   /** Lever moves between two times, both included. */
@@ -189,7 +199,7 @@ export class Recording {
     this.now = this.momentOf(frame);
     const { time_s } = this.now;
     for (const series of [this.rows, this.pictures, this.keyframes]) series.dropAfter(time_s);
-    this.moves = this.moves.filter((move) => move.time_s <= time_s);
+    this.made = this.made.filter((change) => change.time_s <= time_s);
     for (const told of Object.values(this.told)) told.dropAfter(time_s);
   }
 

@@ -3,10 +3,11 @@ import { asFault } from "../../engine/engine";
 import type { Fault, Values } from "../../engine/engine";
 import { isOfEngine } from "../../engine/faults";
 import type { Opened } from "../../engine/messages";
-import { faultOfControl, faultOfLostRun } from "../faults";
+import { faultOfControl, faultOfLostRun, faultOfResumedRun } from "../faults";
 import { Recording } from "../recording/recording";
+import { resume } from "../recording/resume";
 import { runOf } from "../run";
-import type { Source } from "../run";
+import type { Run, Source } from "../run";
 import { Turns } from "../turns";
 import type { SessionState } from "./state";
 
@@ -21,7 +22,7 @@ export interface Player {
   dropSteering(): void;
 }
 
-/** Opens scenarios, resets the present run, and starts it again if its engine has died. */
+/** Opens scenarios, resets the present run, and continues it in another engine if its engine has died. */
 export class Opening {
   /** Queue of openings and resets. */
   readonly turns = new Turns(() => this.goOn());
@@ -29,6 +30,8 @@ export class Opening {
   due: "start" | "step" | null = null;
   private resetDue = false;
   private isRecovering = false;
+  /** The run that a new engine continued last, and the time of that, s. */
+  private last: { run: Run; time_s: number } | null = null;
 
   constructor(
     private readonly state: SessionState,
@@ -41,17 +44,22 @@ export class Opening {
     return this.turns.isBusy || this.client.isAsked;
   }
 
-  /** Opens another scenario; if it cannot be read, the present run stays. */
-  open(source: Source, overrides: Values): Promise<boolean> {
-    this.player.pause();
+  /** Opens another scenario, which may still be loading; if it cannot be read, the present run stays. */
+  open(asked: Source | Promise<Source>, overrides: Values): Promise<boolean> {
+    // Before the first scenario there is no run to pause, and a request to start is for this one.
+    if (this.state.status !== "loading") this.player.pause();
     this.player.dropSteering();
+    const loaded = Promise.resolve(asked).catch(asFault);
     return this.turns.take(async () => {
+      const source = await loaded;
       try {
+        if ("kind" in source) throw source;
         this.accept(await this.read(source, overrides), { ...overrides }, source);
         return true;
       } catch (fault) {
-        this.due = null;
-        this.refuseOpening(source, overrides, asFault(fault));
+        if (this.due) this.intend(null);
+        if ("kind" in source) this.state.report(source);
+        else this.refuseOpening(source, overrides, asFault(fault));
         return false;
       }
     });
@@ -146,14 +154,45 @@ export class Opening {
   private async recover(fault: Fault): Promise<void> {
     if (this.isRecovering) return;
     this.isRecovering = true;
+    const goes = this.player.isGoing && this.state.status !== "stepping";
     this.player.pause();
     this.player.dropSteering();
     const { run } = this.state;
+    if (await this.resumed(fault)) {
+      this.isRecovering = false;
+      if (goes) this.player.start();
+      return;
+    }
     await this.reopen();
     // The values that waited for a reset may have been refused; the controls now have the values of the present run.
     if (run === this.state.run && this.state.status !== "stopped") await this.reopen();
     this.isRecovering = false;
     if (run !== this.state.run) this.state.report(faultOfLostRun(fault));
+  }
+
+  /** Continues the present run in a new engine from its last keyframe, and reports that; false if this fails. */
+  private async resumed(fault: Fault): Promise<boolean> {
+    const { run, source } = this.state;
+    const { recording } = this.state.shown;
+    if (!run || !source || !recording) return false;
+    const { time_s } = recording.now;
+    // A second engine that ends at the same moment would be followed by a third.
+    if (this.last?.run === run && time_s <= this.last.time_s) return false;
+    this.last = { run, time_s };
+    return this.turns.take(async () => {
+      if (run !== this.state.run) return true;
+      try {
+        const { inputs, frame } = await resume(this.client, recording, source, this.state.values.begun);
+        run.inputs = inputs;
+        recording.dropAfter(frame);
+      } catch {
+        return false;
+      }
+      this.state.emit((listener) => listener.inputsChanged?.(run));
+      this.state.emit((listener) => listener.valuesChanged?.());
+      this.state.report(faultOfResumedRun(fault, recording.now.time_s));
+      return true;
+    });
   }
 
   intend(due: "start" | "step" | null): void {

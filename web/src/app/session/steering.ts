@@ -37,8 +37,11 @@ export class Steering {
     if (!(await this.rewinding.isReady()) || this.state.values.inForce[name] === value) return;
     const { run } = this.state;
     await this.opening.asked(this.opening.client.parameter(name, value)).then(
-      () => {
-        if (run === this.state.run) this.state.values.apply(name, value);
+      (time_s) => {
+        if (run === this.state.run) {
+          this.state.values.apply(name, value);
+          this.state.shown.recording?.note({ time_s, parameter: name, value });
+        }
         this.state.emit((listener) => listener.steered?.());
       },
       (fault: Fault) => this.state.reportOfRun(faultOfControl(fault, run?.model.parameters ?? [])),
@@ -72,15 +75,17 @@ export class Steering {
   }
 
   private noteMove(run: Run, move: LeverMove): void {
-    this.state.shown.recording?.noteMove(move);
+    this.state.shown.recording?.note(move);
     run.inputs = run.inputs.map((input) => (input.name === move.input ? { ...input, value: move.value } : input));
   }
 
   /** Records the changes of a link that the run has repeated. */
   follow(run: Run, changes: readonly Change[]): void {
     for (const change of changes) {
-      if ("parameter" in change) this.state.values.follow(change.parameter, change.value);
-      else this.noteMove(run, change);
+      if ("parameter" in change) {
+        this.state.values.follow(change.parameter, change.value);
+        this.state.shown.recording?.note(change);
+      } else this.noteMove(run, change);
     }
     this.state.emit((listener) => listener.inputsChanged?.(run));
     this.state.emit((listener) => listener.followed?.(run));

@@ -29,6 +29,7 @@ export const saved = {
   same: "A run of this file gives the same numbers.",
   implicit: "Its integrator is implicit: a run outside the browser agrees within its tolerance, not to the last bit.",
   needs: (files: string) => `It needs these files in the same folder: ${files}.`,
+  lost: (count: number) => `a run of this file differs: ${count} ${count === 1 ? "change was" : "changes were"} made before the engine was replaced; a link of Share holds them`,
   set_at: (parameter: string, time: string) => `${parameter} at ${time}`,
   differs: (set: string) =>
     `A run of this file differs from the saved one, because parameters were set during that run: ${set}. The file has their last values from the start.`,

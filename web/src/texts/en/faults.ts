@@ -34,6 +34,7 @@ export const alert = {
 export const faults = {
   not_allowed: (label: string, found: string, allowed: string) => `${label}: ${found} is not ${allowed}.`,
   own_values: "The scenario opened with its own values.",
+  resumed_run: (why: string, time_s: string) => `${why} The run continues at ${time_s} s with another engine; the recording is kept.`,
   lost_run: (why: string) => `${why} The run starts again, with the same values.`,
   run_goes_on: "The run goes on.",
   no_gallery: (why: string) => `${why} There are no scenarios to choose from; files can still be opened.`,
@@ -47,6 +48,7 @@ export const faults = {
 export const engine = {
   unloaded: "The engine did not load. The connection may be down.",
   not_loaded: (why: string) => `The engine did not load: ${why}.`,
+  ended: "The engine was ended, perhaps by the system for lack of memory.",
   silent: (silent_s: number) => `The engine gave no answer for ${silent_s} s.`,
   broke_down: (why: string) => `The engine broke down: ${why}.`,
   not_fetched: (file: string, why: string) => `${file} could not be fetched: ${why}.`,

@@ -25,6 +25,7 @@ export const share = {
   qr_failed: "The QR code did not load.",
   too_large: (length: number, most: number) =>
     `This run does not fit in a link: it takes ${length} characters, and most programs truncate beyond ${most}. Save scenario makes a file of it.`,
+  unknown: (key: string) => `This link could not be read: it holds “${key}”, which this app does not know. A link to a run begins with #k1= after the address. Copy it again from where it was made.`,
   newer: "The link was made by a newer version of Kingpost. Reload the page; if that does not help, this copy of the app must be updated.",
   cut: "The link was cut: its end is missing. Copy it again, completely, from where it was made.",
   broken: "The link is damaged: its content cannot be read. Copy it again from where it was made.",

@@ -30,6 +30,7 @@ export const saved: Texts["saved"] = {
   same: "En kjøring av denne filen gir de samme tallene.",
   implicit: "Integratoren er implisitt: en kjøring utenfor nettleseren stemmer innenfor toleransen, ikke til siste bit.",
   needs: (files) => `Den trenger disse filene i samme mappe: ${files}.`,
+  lost: (count) => `en kjøring av denne filen blir annerledes: ${count} ${count === 1 ? "endring ble" : "endringer ble"} gjort før beregningsmotoren ble byttet ut; en lenke fra Del har dem med`,
   set_at: (parameter, time) => `${parameter} ved ${time}`,
   differs: (set) =>
     `En kjøring av denne filen blir en annen enn den lagrede, fordi parametrer ble satt underveis i den: ${set}. Filen har de siste verdiene fra start.`,

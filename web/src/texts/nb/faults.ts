@@ -33,6 +33,7 @@ export const alert: Texts["alert"] = {
 export const faults: Texts["faults"] = {
   not_allowed: (label, found, allowed) => `${label}: ${found} er ikke tillatt. Tillatt: ${allowed}.`,
   own_values: "Scenarioet ble åpnet med sine egne verdier.",
+  resumed_run: (why, time_s) => `${why} Kjøringen går videre ved ${time_s} s med en ny beregningsmotor; opptaket er beholdt.`,
   lost_run: (why) => `${why} Kjøringen starter på nytt, med de samme verdiene.`,
   run_goes_on: "Kjøringen går videre.",
   no_gallery: (why) => `${why} Det er ingen scenarioer å velge blant; filer kan åpnes likevel.`,
@@ -45,6 +46,7 @@ export const faults: Texts["faults"] = {
 export const engine: Texts["engine"] = {
   unloaded: "Beregningsmotoren ble ikke lastet. Forbindelsen kan være nede.",
   not_loaded: (why) => `Beregningsmotoren ble ikke lastet: ${why}.`,
+  ended: "Beregningsmotoren ble avsluttet, kanskje av systemet fordi det manglet minne.",
   silent: (silent_s) => `Beregningsmotoren svarte ikke på ${silent_s} s.`,
   broke_down: (why) => `Beregningsmotoren brøt sammen: ${why}.`,
   not_fetched: (file, why) => `${file} kunne ikke hentes: ${why}.`,

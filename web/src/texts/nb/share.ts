@@ -27,6 +27,7 @@ export const share: Texts["share"] = {
   qr_too_long: (length, most) => `Med ${length} tegn er lenken for lang til en QR-kode som en telefon kan lese: høyst ${most}.`,
   qr_failed: "QR-koden ble ikke lastet.",
   too_large: (length, most) => `Denne kjøringen får ikke plass i en lenke: den tar ${length} tegn, og de fleste programmer kutter ved ${most}. Lagre scenario lager en fil av den.`,
+  unknown: (key) => `Denne lenken kunne ikke leses: den har «${key}», som denne appen ikke kjenner. En lenke til en kjøring begynner med #k1= etter adressen. Kopier den på nytt derfra den ble laget.`,
   newer: "Lenken er laget av en nyere versjon av Kingpost. Last siden på nytt; hjelper ikke det, må denne utgaven av appen oppdateres.",
   cut: "Lenken er kuttet: slutten mangler. Kopier hele lenken en gang til der den ble laget.",
   broken: "Lenken er skadet: innholdet lar seg ikke lese. Kopier den en gang til der den ble laget.",

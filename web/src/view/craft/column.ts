@@ -68,6 +68,9 @@ export function cabOf({ radius, length, boom_rad }: ColumnShape): Cab {
   return { middle: [away * Math.cos(side) + forward * Math.cos(boom_rad), away * Math.sin(side) + forward * Math.sin(boom_rad), z], size, looks_rad: boom_rad };
 }
 
+/** Places of the cab's pillars in sizes of the cab; none stands before the eye of the operator, in the middle. */
+export const PILLARS = [[-0.48, -0.39], [0.5, -0.39], [0.5, 0.39], [-0.48, 0.39]] as const;
+
 function addCab({ fittings, lit, palette }: Work, { middle, size, looks_rad }: Cab): void {
   const [u, v] = [Math.cos(looks_rad), Math.sin(looks_rad)];
   // Axes of the cab: x forward, y to the side, z up.
@@ -77,7 +80,7 @@ function addCab({ fittings, lit, palette }: Work, { middle, size, looks_rad }: C
   fittings.prism(plan(1, 0.5), level(-0.62), level(-0.25), palette.house);
   fittings.prism(plan(1.08, 0.56), level(0.5), level(0.6), palette.house);
   lit.prism(plan(0.96, 0.5), level(-0.25), level(0.5), palette.window);
-  for (const [x, y] of [[-0.48, -0.39], [0.5, -0.39], [0.5, 0.39], [-0.48, 0.39], [0.5, 0]] as const) fittings.rod(at(x, y, -0.25), at(x, y, 0.5), 0.03 * size, palette.house, 4);
+  for (const [x, y] of PILLARS) fittings.rod(at(x, y, -0.25), at(x, y, 0.5), 0.03 * size, palette.house, 4);
   fittings.prism(plan(1.35, 0.45), level(-0.7), level(-0.64), palette.fitting);
   fittings.rod(at(-0.2, 0.3, -0.66), at(-0.3, 0.75, -1.15), 0.06 * size, palette.fitting, 6);
 }

@@ -21,6 +21,7 @@ import { addBoxShell, addMeshShell } from "./shell";
 import { addShip } from "./ship";
 import { addStays } from "./stays";
 import type { Stay } from "./stays";
+import { addVehicle } from "./vehicle";
 import { boxAround, Work } from "./work";
 
 /** Viewpoint of a person on a body, in the axes of the body. */
@@ -108,9 +109,15 @@ class Builder {
     if (shape?.kind === "cylinder" && role === "drum") return addDrum(work, shape.radius_m, shape.length_m, shape.axis, colour);
     if (shape?.kind === "cylinder") return void work.body.turned(straight(shape.radius_m, -shape.length_m / 2, shape.length_m / 2), shape.axis, [0, 0, 0], colour, 32);
     if (role === "quay") return addQuay(work, box, colour);
+    if (shape?.kind === "box" && body.is_submerged && this.carries(body)) return addVehicle(work, box, colour);
     if (shape?.kind === "box" && role === "cargo") return addCargo(work, box, colour);
     if (shape?.kind === "box") return void work.body.box(edgesOf(box), [0, 0, 0], colour);
     work.body.ball([0, 0, 0], box.high[0], colour, 40);
+  }
+
+  /** Whether other bodies are joined to a body that is joined to none. */
+  private carries({ name, floats }: BodyInfo): boolean {
+    return floats && this.scene.model.bodies.some(({ parent }) => parent === name);
   }
 
   private addHull(i: number): void {
