@@ -37,7 +37,7 @@ pub struct PeriodBand {
     pub noise_share: f64,
     /// T_s, s.
     pub sampling_period_s: f64,
-    /// Peak period of the motion, s, whose spectrum is then that of JONSWAP; `None` if it is spread evenly over the band.
+    /// Peak period of the motion, s, whose spectrum is then mostly that of JONSWAP; `None` if it is spread evenly over the band.
     pub peak_period_s: Option<f64>,
 }
 
@@ -58,6 +58,10 @@ const OSCILLATORS: usize = 8;
 const FREQUENCIES: usize = 240;
 /// Decay after which the impulse response is truncated: a factor of e to the power of minus this number.
 const DECAYS: f64 = 12.0;
+/// Variance that a motion with a peak period has beside its spectrum, evenly over the logarithm of the periods from half the shortest
+/// to three times the longest: without it a filter that looks ahead amplifies what the spectrum does not contain. Of the tip of a
+/// crane at sea 1 % is at periods above 16 s; shares from 1 to 10 % leave errors that differ by 4 % of its standard deviation.
+const ELSEWHERE: f64 = 0.02;
 /// Peak enhancement of a motion with a peak period: that of the mean JONSWAP spectrum.
 const GAMMA: f64 = 3.3;
 /// Diagonal added to the normal equations, as a share of their trace: rounding.
@@ -169,18 +173,23 @@ impl FilterBank {
         self.band.correction_rad_s()
     }
 
-    /// Returns the frequencies of the band at which the weights are fitted, rad/s, each with its share of the variance.
+    /// Returns the frequencies at which the weights are fitted, rad/s, each with its share of the variance.
     fn frequencies(&self) -> Vec<(f64, f64)> {
         let [lowest, highest] = self.band.ends();
-        let frequencies = (0..FREQUENCIES).map(|k| lowest + (highest - lowest) * k as f64 / (FREQUENCIES - 1) as f64);
-        let spread = |frequency: f64| {
-            self.band
-                .peak_period_s
-                .map_or(1.0, |period_s| jonswap_shape(frequency * period_s / core::f64::consts::TAU, GAMMA))
+        let Some(peak_period_s) = self.band.peak_period_s else {
+            let share = 1.0 / FREQUENCIES as f64;
+            let apart = highest - lowest;
+            return (0..FREQUENCIES).map(|k| (lowest + apart * k as f64 / (FREQUENCIES - 1) as f64, share)).collect();
         };
-        let all: Vec<(f64, f64)> = frequencies.map(|frequency| (frequency, spread(frequency))).collect();
-        let whole: f64 = all.iter().map(|(_, density)| density).sum();
-        all.into_iter().map(|(frequency, density)| (frequency, density / whole)).collect()
+        let (lowest, span) = (lowest / 3.0, libm::log(6.0 * highest / lowest));
+        let at = |k: usize| lowest * libm::exp(span * k as f64 / (FREQUENCIES - 1) as f64);
+        // On a logarithmic axis the density is that over the frequency times the frequency.
+        let peaked = |x: f64| x * jonswap_shape(x, GAMMA);
+        let densities = (0..FREQUENCIES).map(|k| peaked(at(k) * peak_period_s / core::f64::consts::TAU));
+        let densities: Vec<f64> = densities.collect();
+        let whole: f64 = densities.iter().sum();
+        let share = |density: f64| (density / whole + ELSEWHERE / FREQUENCIES as f64) / (1.0 + ELSEWHERE);
+        densities.into_iter().enumerate().map(|(k, density)| (at(k), share(density))).collect()
     }
 
     /// Returns the frequency response of each state: real and imaginary part.
