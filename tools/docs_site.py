@@ -15,6 +15,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 import docs_commands
 import docs_gallery
+import docs_math
 import docs_schema
 from mkdocs.structure.files import File, Files
 
@@ -30,6 +31,14 @@ FOLDERS = {
 }
 # Pages of the menu from elsewhere in the repository.
 PROJECT = ["ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md"]
+
+
+def on_config(config: Any) -> Any:
+    """Adds what pages may have beside Markdown: formulas."""
+    config.markdown_extensions.append(docs_math.extension())
+    fences = config.mdx_configs.setdefault("pymdownx.superfences", {}).setdefault("custom_fences", [])
+    fences += [{"name": "math", "class": "equation", "format": docs_math.formatter}]
+    return config
 
 
 def on_files(files: Files, config: Any) -> Files:
@@ -66,6 +75,13 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
         return f"{link[1]}{away}{link[3] or ''}{link[4]}"
 
     return outside_code(markdown, lambda text: LINK.sub(moved, text))
+
+
+def on_post_build(config: Any) -> None:
+    """Adds the font of the formulas, with the characters that the site uses."""
+    site = Path(config.site_dir)
+    html = "".join(page.read_text(encoding="utf-8") for page in site.rglob("*.html"))
+    (site / "assets" / "math.woff").write_bytes(docs_math.font(html))
 
 
 def elsewhere(pages: dict[str, str]) -> list[str]:
