@@ -13,6 +13,7 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).parent))
 
+import docs_book
 import docs_commands
 import docs_gallery
 import docs_math
@@ -63,8 +64,9 @@ def on_files(files: Files, config: Any) -> Files:
 
 
 def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
-    """Changes the links of a page to addresses on the site."""
+    """Changes the links of a page to addresses on the site; sets the figures and exercises of the book."""
     here = page.file.src_uri
+    markdown = docs_book.rendered(markdown, posixpath.relpath(".", posixpath.dirname(here) or "."))
     origin = here.removeprefix("source/") if here.startswith("source/") else f"docs/{here}"
 
     def moved(link: re.Match[str]) -> str:

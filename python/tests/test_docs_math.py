@@ -5,8 +5,10 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import docs_book
 import docs_math
 import pytest
+import yaml
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGES = sorted(ROOT.glob("docs/**/*.md"))
@@ -41,6 +43,24 @@ def test_every_formula_of_a_page_can_be_set(path: Path) -> None:
         assert "<math" in html
         assert "merror" not in html
         assert displayed or not EATEN.search(latex), f"{latex}: use \\thinspace, \\ast, \\lvert, \\lbrace"
+
+
+@pytest.mark.parametrize("path", sorted(ROOT.glob("docs/book/*.md")), ids=name)
+def test_figures_and_exercises_of_a_page_can_be_set(path: Path) -> None:
+    page = path.read_text(encoding="utf-8")
+    for fields in docs_book.figures(page):
+        assert (ROOT / "scenarios" / f"{fields['scenario']}.yaml").is_file()
+        assert (ROOT / "web" / "public" / "cards" / f"{fields['scenario']}.webp").is_file()
+        known = {one["name"] for one in parameters(fields["scenario"])}
+        assert {*fields.get("set", {}), *fields.get("controls", [])} <= known
+    for block in docs_book.BLOCK.finditer(page):
+        for formula in re.finditer(docs_math.INLINE, block[2]):
+            assert "<math" in docs_math.mathml(formula[1])
+
+
+def parameters(scenario: str) -> list[dict]:
+    text = (ROOT / "scenarios" / f"{scenario}.yaml").read_text(encoding="utf-8")
+    return yaml.safe_load(text).get("parameters", [])
 
 
 def test_no_equation_is_typed_as_code() -> None:
