@@ -172,7 +172,7 @@ def wrong_answers(text: str, names: dict[str, Any]) -> list[str]:
             said.append(f"{answer} is {'not ' if right else ''}accepted")
         computed = None if by is None else eval(by, names)
         if exercise["kind"] == "sign" and computed is not None:
-            computed = "0" if computed == 0 else "+-"[computed < 0]
+            computed = "0" if computed == 0 else "-" if computed < 0 else "+"
         if computed is not None and not docs_book.same(exercise, answer, computed):
             said.append(f"{answer} is stated, {by} gives {computed}")
     return said
