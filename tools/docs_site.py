@@ -13,8 +13,10 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).parent))
 
+import docs_book
 import docs_commands
 import docs_gallery
+import docs_math
 import docs_schema
 from mkdocs.structure.files import File, Files
 
@@ -30,6 +32,14 @@ FOLDERS = {
 }
 # Pages of the menu from elsewhere in the repository.
 PROJECT = ["ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md"]
+
+
+def on_config(config: Any) -> Any:
+    """Adds what pages may have beside Markdown: formulas."""
+    config.markdown_extensions.append(docs_math.extension())
+    fences = config.mdx_configs.setdefault("pymdownx.superfences", {}).setdefault("custom_fences", [])
+    fences += [{"name": "math", "class": "equation", "format": docs_math.formatter}]
+    return config
 
 
 def on_files(files: Files, config: Any) -> Files:
@@ -54,8 +64,9 @@ def on_files(files: Files, config: Any) -> Files:
 
 
 def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
-    """Changes the links of a page to addresses on the site."""
+    """Changes the links of a page to addresses on the site; sets the figures and exercises of the book."""
     here = page.file.src_uri
+    markdown = docs_book.rendered(markdown, posixpath.relpath(".", posixpath.dirname(here) or "."))
     origin = here.removeprefix("source/") if here.startswith("source/") else f"docs/{here}"
 
     def moved(link: re.Match[str]) -> str:
@@ -66,6 +77,13 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
         return f"{link[1]}{away}{link[3] or ''}{link[4]}"
 
     return outside_code(markdown, lambda text: LINK.sub(moved, text))
+
+
+def on_post_build(config: Any) -> None:
+    """Adds the font of the formulas, with the characters that the site uses."""
+    site = Path(config.site_dir)
+    html = "".join(page.read_text(encoding="utf-8") for page in site.rglob("*.html"))
+    (site / "assets" / "math.woff").write_bytes(docs_math.font(html))
 
 
 def elsewhere(pages: dict[str, str]) -> list[str]:

@@ -1,6 +1,7 @@
 """The commands and examples on a page of Markdown, run as a reader runs them. A block fenced with `bash` or
 `python` runs; a block whose title begins with "takes" runs only in the thorough lane. A block fenced with
-`text` holds lines of the preceding block's output, in their order, with `...` for omitted lines.
+`text` holds lines of the preceding block's output, in their order, with `...` for omitted lines. An exercise
+states its answer, and the expression `by` that gives it after all blocks of the page.
 
 The thorough lane runs every page. The default lane runs the shortest page of a kind, and pages that have
 changed since their last successful run: `pages.json` stores a digest of each page's blocks.
@@ -23,13 +24,16 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import docs_book
 import kingpost
 from filelock import FileLock
 from lanes import THOROUGH, sampled
 
 ROOT = Path(__file__).resolve().parents[2]
 DOCS = ROOT / "docs"
-BLOCK = re.compile(r'^```(bash|python|text|yaml)(?: title="([^"\n]*)")?\n(.*?)^```', re.MULTILINE | re.DOTALL)
+BLOCK = re.compile(
+    r'^```(bash|python|text|yaml|exercise)(?: title="([^"\n]*)")?\n(.*?)^```', re.MULTILINE | re.DOTALL
+)
 WRITE = os.environ.get("KINGPOST_WRITE_PAGES") == "1"
 DIGESTS = Path(__file__).with_name("pages.json")
 
@@ -156,6 +160,24 @@ def anew(shown: str, printed: str) -> str:
     return "\n".join(lines) + "\n"
 
 
+def wrong_answers(text: str, names: dict[str, Any]) -> list[str]:
+    """Answers of an exercise that are not true: the right one, or a usual wrong one that is accepted or is
+    not the value of its expression."""
+    exercise = docs_book.read("exercise", text)
+    found = [(exercise["answer"], exercise["by"], True)]
+    found += [(one["answer"], one.get("by"), False) for one in exercise["wrong"]]
+    said: list[str] = []
+    for answer, by, right in found:
+        if docs_book.accepts(exercise, answer) != right:
+            said.append(f"{answer} is {'not ' if right else ''}accepted")
+        computed = None if by is None else eval(by, names)
+        if exercise["kind"] == "sign" and computed is not None:
+            computed = "0" if computed == 0 else "-" if computed < 0 else "+"
+        if computed is not None and not docs_book.same(exercise, answer, computed):
+            said.append(f"{answer} is stated, {by} gives {computed}")
+    return said
+
+
 def run_page(path: Path, folder: Path) -> list[str]:
     """Runs a page in a folder. Returns its lines that are not printed."""
     page = path.read_text(encoding="utf-8")
@@ -178,6 +200,9 @@ def run_page(path: Path, folder: Path) -> list[str]:
             wrong += [f"{where}: {line}" for line in lines]
             if lines and WRITE:
                 page = page.replace(block.text, anew(block.text, printed))
+    for block in blocks(page):
+        if block.language == "exercise":
+            wrong += [f"{path.name}:{block.line}: {line}" for line in wrong_answers(block.text, names)]
     if WRITE:
         path.write_text(page, encoding="utf-8")
     return wrong

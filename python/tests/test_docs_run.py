@@ -1,5 +1,5 @@
-"""The tutorial, the recipes, the whole job and the lifts checked by hand: every command and example runs and
-prints what is shown."""
+"""The tutorial, the recipes, the whole job, the lifts checked by hand and the book: every command and example
+runs and prints what is shown."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ PAGES = [
     *sorted(f"howto/{page.name}" for page in DOCS.glob("howto/*.md")),
     "job/index.md",
     *sorted(f"checked/{page.name}" for page in DOCS.glob("checked/*.md")),
+    *sorted(f"book/{page.name}" for page in DOCS.glob("book/*.md")),
 ]
 TO_WRITE = "to write it anew: KINGPOST_WRITE_PAGES=1 pytest python/tests/test_docs_run.py"
 
