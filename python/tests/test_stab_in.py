@@ -90,7 +90,7 @@ def test_the_column_stands_within_the_clearance_of_its_pin(run: xarray.Dataset) 
 
 def test_every_step_ends_and_every_limit_holds(run: xarray.Dataset) -> None:
     assert step(run)[-1] == LANDED + 1
-    assert all(limit.held for limit in run.kingpost.limits)
+    assert all(limit["held"] for limit in run.kingpost.limits)
 
 
 def test_a_batch_of_stab_ins_has_the_bits_of_single_runs() -> None:

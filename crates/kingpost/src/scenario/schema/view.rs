@@ -1,4 +1,4 @@
-//! What a picture of the scenario shows at first.
+//! Camera and plots of a scenario.
 
 use kingpost_derive::fields;
 
