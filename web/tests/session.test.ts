@@ -174,7 +174,7 @@ describe("sessions", () => {
     const [dropped, newest] = [background.hydrostatics(session), background.hydrostatics(session)];
     expect([await dropped, await newest]).toEqual([null, { hulls: [], warnings: [] }]);
     expect(asked).toEqual([
-      ["open", "good", "good.yaml", {}, null],
+      ["open", "good", "good.yaml", {}, null, [], undefined],
       ["restore", Uint8Array.of(10)],
       ["restore", Uint8Array.of(20)],
     ]);

@@ -140,6 +140,7 @@ export class KingpostFigure extends Base implements KingpostFigureElement {
   private begin({ title, duration_s, columns, settable }: ReadyDetail): void {
     const { parts } = this;
     this.columns = columns;
+    parts.alert.textContent = "";
     parts.slot.hidden = parts.start.hidden = true;
     // The focus goes from the button into the figure.
     if (this.shadowRoot?.activeElement === parts.start || this.matches(":focus-within")) this.frame?.focus();
@@ -153,10 +154,9 @@ export class KingpostFigure extends Base implements KingpostFigureElement {
 
   /** Reports a fault; if the figure could not be opened, the still stays, and the next touch tries again. */
   private fail(code: string, message: string): void {
-    if (code === "open" || code === "silent" || code === "address") {
-      this.sleep();
-      this.parts.alert.textContent = words.failed(message);
-    }
+    // A frame that is silent may only be slow: it stays, and clears the message when it answers.
+    if (code === "open" || code === "address") this.sleep();
+    if (code === "open" || code === "address" || code === "silent") this.parts.alert.textContent = words.failed(message);
     this.tell("kingpost-error", { code, message });
   }
 

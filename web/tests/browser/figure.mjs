@@ -180,7 +180,7 @@ export default {
     await assertAccessible(page, "the dialog with the embed code");
     await close();
 
-    const own = await openArticle(host, `<!doctype html><html lang="en"><title>Embedded</title><main><h1>Embedded</h1>${code.replace("<kingpost-figure", '<kingpost-figure id="embedded"')}</main>`);
+    const own = await openArticle(host, `<!doctype html><html lang="en"><title>Embedded</title><link rel="icon" href="data:," /><main><h1>Embedded</h1>${code.replace("<kingpost-figure", '<kingpost-figure id="embedded"')}</main>`);
     await goTo(own.page, "embedded", 2);
     assert.deepEqual(await rowOf(own.page, "embedded"), goldens.find(({ name }) => name === "page").row);
     await own.close();
