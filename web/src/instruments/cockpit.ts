@@ -16,7 +16,7 @@ export interface Hook {
   track: LimitTrack | null;
 }
 
-/** Returns the reading of the load on the hook: by the load chart, otherwise the tension of the first rope or line. */
+/** Returns the reading of the load on the hook: by the load chart, otherwise the first tension. */
 export function hookOf(channels: readonly Channel[], tracks: readonly LimitTrack[]): Hook | null {
   const first = (variable: string) => channels.find((channel) => channel.variable === variable);
   const channel = first("hook_load") ?? first("rope_tension") ?? first("line_tension");
