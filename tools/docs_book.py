@@ -1,8 +1,8 @@
 """Figures and exercises of the book: blocks of YAML in a page, fenced with `figure` and `exercise`.
 
-A figure is a scenario of the gallery with its parameters, controls, plot and camera; here it becomes a still
-with a link to the app. An exercise asks for a number, a sign or a choice; `docs/exercises.js` checks the
-answer in the page.
+A figure is a scenario of the gallery with its parameters, controls, plot and camera: a run that is played in
+the page where the site holds the built app, else a still with a link to the app. An exercise asks for a
+number, a sign or a choice; `docs/exercises.js` checks the answer in the page.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ import os
 import posixpath
 import re
 from html import escape
+from pathlib import Path
 from typing import Any
 from urllib.parse import urlencode
 
@@ -19,6 +20,9 @@ import yaml
 
 BLOCK = re.compile(r"^```(figure|exercise)[ ]*\n(.*?)^```[ ]*$", re.MULTILINE | re.DOTALL)
 APP = os.environ.get("KINGPOST_APP", "http://127.0.0.1:8000/")
+BUILT_APP = Path(__file__).resolve().parents[1] / "web" / "dist"
+"""The app that `make web` builds; the site holds a copy of it."""
+IN_SITE = "app/"
 SIGNS = {"+": "positive", "0": "zero", "-": "negative"}
 FIELDS = {
     "figure": ({"scenario", "caption"}, {"set", "controls", "plot", "camera"}),
@@ -90,15 +94,47 @@ def inline(text: str) -> str:
 
 
 def figure(fields: dict[str, Any], to_root: str) -> str:
-    """A still of the scenario with its caption, and a link to the app with the same parameters."""
-    values = {name: address_of(value) for name, value in fields.get("set", {}).items()}
-    live = escape(f"{APP}?{urlencode({'scenario': fields['scenario'], **values})}")
+    """A figure with its caption and a link to the app with the same parameters."""
+    live = escape(app_address(fields, to_root))
+    caption = f'{inline(fields["caption"])} <a href="{live}">Run it in the app</a>'
+    return f'<figure class="live">{picture(fields, to_root)}<figcaption>{caption}</figcaption></figure>'
+
+
+def picture(fields: dict[str, Any], to_root: str) -> str:
+    """A still of the scenario that leads to the app; with the built app, an element that plays the run. From a
+    folder, without a server, the page shows the still."""
+    live = escape(app_address(fields, to_root))
     still = posixpath.join(to_root, "cards", f"{fields['scenario']}.webp")
-    return (
-        f'<figure class="live"><a href="{live}"><img src="{still}" loading="lazy" alt="{title(fields)}"></a>'
-        f'<figcaption>{inline(fields["caption"])} <a href="{live}">Run it in the app</a></figcaption>'
-        "</figure>"
-    )
+    shown = f'<a href="{live}"><img src="{still}" loading="lazy" alt="{title(fields)}"></a>'
+    if not has_app():
+        return shown
+    attributes = {
+        "src": posixpath.join(to_root, IN_SITE),
+        "scenario": fields["scenario"],
+        "set": "; ".join(f"{name}={value}" for name, value in values(fields).items()),
+        "controls": ", ".join(fields.get("controls", [])),
+        "plot": ", ".join(fields.get("plot", [])),
+        "camera": fields.get("camera", ""),
+        "poster": still,
+    }
+    given = " ".join(f'{name}="{escape(value)}"' for name, value in attributes.items() if value)
+    return f"<kingpost-figure {given}>{shown}</kingpost-figure>"
+
+
+def values(fields: dict[str, Any]) -> dict[str, str]:
+    """Parameters of a figure as in an address of the app."""
+    return {name: address_of(value) for name, value in fields.get("set", {}).items()}
+
+
+def app_address(fields: dict[str, Any], to_root: str) -> str:
+    """Address of the app with the scenario and the parameters of a figure."""
+    app = posixpath.join(to_root, IN_SITE) if has_app() else APP
+    return f"{app}?{urlencode({'scenario': fields['scenario'], **values(fields)})}"
+
+
+def has_app() -> bool:
+    """Whether the app is built, with the element that plays it in a page."""
+    return (BUILT_APP / "kingpost-figure.js").is_file()
 
 
 def title(fields: dict[str, Any]) -> str:

@@ -55,6 +55,10 @@ def on_files(files: Files, config: Any) -> Files:
         files.append(File.generated(config, path, content=text))
     for card in sorted((ROOT / "web" / "public" / "cards").glob("*.webp")):
         files.append(File.generated(config, f"cards/{card.name}", abs_src_path=str(card)))
+    if docs_book.has_app():
+        for file in sorted(path for path in docs_book.BUILT_APP.rglob("*") if path.is_file()):
+            place = docs_book.IN_SITE + file.relative_to(docs_book.BUILT_APP).as_posix()
+            files.append(File.generated(config, place, abs_src_path=str(file)))
     icon = ROOT / "web" / "public" / "icon.svg"
     files.append(File.generated(config, "images/icon.svg", abs_src_path=str(icon)))
     pages = {f"docs/{file.src_uri}": file.content_string for file in files.documentation_pages()}

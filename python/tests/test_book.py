@@ -8,7 +8,9 @@ from pathlib import Path
 from typing import Any
 
 import docs_book
+import kingpost
 import pytest
+from kingpost import figures
 from pages import blocks, wrong_answers
 
 BOOK = Path(__file__).resolve().parents[2] / "docs" / "book"
@@ -65,6 +67,29 @@ def test_a_chapter_has_a_figure_a_prediction_and_exercises_that_reject_the_usual
         assert set(map(str, exercise.get("options", []))) >= (
             {exercise["answer"]} if "options" in exercise else set()
         )
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.stem)
+def test_the_figures_of_a_chapter_name_controls_columns_and_cameras_that_exist(chapter: Path) -> None:
+    for one in docs_book.figures(chapter.read_text(encoding="utf-8")):
+        simulation = kingpost.Simulation(kingpost.load(one["scenario"], **one.get("set", {})))
+        choice = figures.Choice(one.get("controls", []), one.get("plot", []), one.get("camera", "free"))
+        assert figures.checked(simulation, choice)
+
+
+def test_a_figure_is_played_in_the_page_where_the_app_is_built(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    fields = {"scenario": "paper", "set": {"load": True}, "controls": ["load"], "plot": ["ship.roll"]}
+    monkeypatch.setattr(docs_book, "BUILT_APP", tmp_path)
+    assert "<kingpost-figure" not in docs_book.picture(fields, "..")
+    (tmp_path / "kingpost-figure.js").write_text("", encoding="utf-8")
+    made = docs_book.picture(fields, "..")
+    assert (
+        '<kingpost-figure src="../app/" scenario="paper" set="load=true" controls="load" plot="ship.roll"'
+        in made
+    )
+    assert '<a href="../app/?scenario=paper&amp;load=true"><img src="../cards/paper.webp"' in made
 
 
 def test_an_answer_that_the_run_does_not_give_is_found() -> None:

@@ -85,10 +85,7 @@ def write(scenario: Scenario, folder: str | Path, choice: Choice) -> Path:
         the folder cannot be written.
     """
     folder = Path(folder)
-    simulation = Simulation(scenario)
-    _check_names("--controls", choice.controls, settable(simulation))
-    _check_names("--plot", choice.plot, [name for one in simulation.channels for name in one["columns"]])
-    view = still_view(choice.camera)
+    view = checked(Simulation(scenario), choice)
     app = None if choice.app else app_with_figures()
     own = _own_files(scenario)
     _check_folder(folder)
@@ -98,6 +95,22 @@ def write(scenario: Scenario, folder: str | Path, choice: Choice) -> Path:
     for name, text in own.items():
         _write_below(folder / name, text)
     return output.write_text(folder / INDEX, page(scenario, choice))
+
+
+def checked(simulation: Simulation, choice: Choice) -> Viewpoint:
+    """Viewpoint of the still, once all that an author chooses is known to exist.
+
+    Raises
+    ------
+    KingpostError
+        If a control, a column or the viewpoint is unknown.
+
+    >>> checked(Simulation("paper"), Choice(["load"], ["ship.roll"], "top"))
+    'top'
+    """
+    _check_names("--controls", choice.controls, settable(simulation))
+    _check_names("--plot", choice.plot, [name for one in simulation.channels for name in one["columns"]])
+    return still_view(choice.camera)
 
 
 def settable(simulation: Simulation) -> list[str]:
