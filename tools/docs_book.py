@@ -101,8 +101,8 @@ def figure(fields: dict[str, Any], to_root: str) -> str:
 
 
 def picture(fields: dict[str, Any], to_root: str) -> str:
-    """A still of the scenario that leads to the app; with the built app, an element that plays the run. From a
-    folder, without a server, the page shows the still."""
+    """A still of the scenario that leads to the app; with the built app, an element that plays the run. From
+    a folder, without a server, the page shows the still."""
     live = escape(app_address(fields, to_root))
     still = posixpath.join(to_root, "cards", f"{fields['scenario']}.webp")
     shown = f'<a href="{live}"><img src="{still}" loading="lazy" alt="{title(fields)}"></a>'
