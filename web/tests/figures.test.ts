@@ -66,6 +66,12 @@ describe("lines that can be drawn", () => {
     expect(figures.defaults()).toEqual([heave.lines.map(({ id }) => id), ["ship.velocity.z"]]);
   });
 
+  it("the plots that a scenario names come first, without columns that are not there", () => {
+    const view = { camera: "", plots: [["ship.velocity.z", "nonesuch"], ["nonesuch"]] };
+    const channels = [channelOf("velocity", ["body", "axis"], [["ship"], ["x", "y", "z"]], ["m/s"])];
+    expect(new Figures({ ...described, view }, channels).defaults()).toEqual([["ship.velocity.z"]]);
+  });
+
   it("forces and moments are in separate groups with short labels", () => {
     const figures = new Figures(described, [wrench("excitation_force", "water")]);
     expect(figures.all.map(({ title, labels }) => [title, labels])).toEqual([

@@ -1,6 +1,7 @@
 /**
  * A lock that a worker holds as long as it lives: when the system ends the worker, which no event reports, the lock
- * becomes free at once. Without locks (on a page that is not secure) only silence tells that a worker has ended.
+ * becomes free at once. Without locks (on a page that is not secure, or in a frame on another site, where a browser may deny
+ * them) only silence tells that a worker has ended.
  */
 const locks = (): LockManager | undefined => (globalThis.navigator as Navigator | undefined)?.locks;
 
@@ -15,7 +16,7 @@ export function layLifeline(worker: Worker): void {
 
 /** Holds the lock for the worker's life; `held` is called when it is held. */
 export function holdLifeline(name: string, held: () => void): void {
-  void locks()?.request(name, () => {
+  request(name, () => {
     held();
     return new Promise(() => {});
   });
@@ -23,5 +24,9 @@ export function holdLifeline(name: string, held: () => void): void {
 
 /** Calls `cut` when the worker that holds the lock has ended. */
 export function whenCut(name: string, cut: () => void): void {
-  void locks()?.request(name, cut);
+  request(name, cut);
+}
+
+function request(name: string, granted: () => void | Promise<void>): void {
+  locks()?.request(name, granted).catch(() => {});
 }

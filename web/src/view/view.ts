@@ -28,7 +28,7 @@ import { withFrame } from "./solids";
 import { gridSpacing } from "./spacing";
 import type { Tints } from "./tension";
 import { labelScale, triadOf } from "./triad";
-import { CAMERAS, textOfPlace } from "./viewpoint";
+import { CAMERAS, textOfPlace, viewpointOf } from "./viewpoint";
 import type { CameraName, Place } from "./viewpoint";
 
 export type { CameraName };
@@ -110,7 +110,8 @@ export class View {
     if (this.daylight.surround(!this.ground.visible)) this.detail();
     this.highlight(this.highlighted);
     this.place(frame);
-    if (refit || !this.cameras().includes(this.camera)) this.look("free");
+    if (refit) this.lookAtFirst(run.model.view.camera);
+    else if (!this.cameras().includes(this.camera)) this.look("free");
     else if (this.camera === "section") this.cut(true);
     this.stale = true;
   }
@@ -150,6 +151,13 @@ export class View {
     else if (from === "bridge" && craft?.bridge) this.eye.standAt(craft.bridge, null);
     else this.eye.lookFrom(FROM[from]);
     this.stale = true;
+  }
+
+  /** Shows the viewpoint that the scenario names, as far as the model offers it. */
+  private lookAtFirst(named: string): void {
+    const asked = viewpointOf(named);
+    if (asked !== null && typeof asked !== "string") this.lookAt(asked);
+    else this.look(this.cameras().find((name) => name === asked) ?? "free");
   }
 
   /** Shows the view from a place near the first body. */
