@@ -92,7 +92,8 @@ export default {
     await start("chain").click();
     await plays(page, "chain");
     await page.waitForFunction(() => document.getElementById("chain").time > 0);
-    await start("racket").click();
+    // By the keyboard: a click just after scrolling past a frame of another site may still go to that frame in Chromium.
+    await start("racket").press("Enter");
     await plays(page, "racket");
     await page.waitForFunction(() => document.getElementById("chain").paused);
     assert.equal(await page.evaluate(() => document.getElementById("racket").paused), false);
