@@ -4,7 +4,7 @@ import { byId } from "../ui/dom";
 import { follow, showLosses } from "../view/scene";
 import { Tensions } from "../view/tension";
 import { View } from "../view/view";
-import { CAMERAS, viewpointOf } from "../view/viewpoint";
+import { CAMERAS } from "../view/viewpoint";
 import { words } from "./words";
 
 /** The 3D picture of a figure; without WebGL it shows a message, and the rest of the figure works. */
@@ -53,12 +53,8 @@ export class Picture {
   /** Changes the viewpoint. */
   look(camera: string): void {
     const { view } = this;
-    const asked = viewpointOf(camera);
-    if (!view) return;
-    const offered = view.cameras();
-    if (typeof asked === "object" && asked !== null) view.lookAt(asked);
-    else if (asked !== null && offered.includes(asked)) view.look(asked);
-    else this.refuse(words.no_camera(camera, (this.session.run ? offered : CAMERAS).join(", ")));
+    if (!view || view.lookBy(camera)) return;
+    this.refuse(words.no_camera(camera, (this.session.run ? view.cameras() : CAMERAS).join(", ")));
   }
 
   /** Draws the picture if something has changed. */

@@ -32,6 +32,8 @@ const ROUNDING = 1e-12;
  */
 export class LimitTrack {
   private worsts: Worst[] = [];
+  /** Worst value of a limit with a percentile, at the time and the number of values for which it was sorted. */
+  private sorted: { time_s: number; count: number; worst: Worst | null } | null = null;
   /** Largest magnitude of a value so far: the scale for a bound of zero. */
   private size = 0;
 
@@ -66,6 +68,7 @@ export class LimitTrack {
   /** Drops the values after a time from which the run continues. */
   dropAfter(time_s: number): void {
     this.worsts = this.worsts.filter((worst) => worst.time_s <= time_s);
+    this.sorted = null;
   }
 
   /** Returns the worst value since the limit applies, up to a time; null if there is none. */
@@ -110,11 +113,16 @@ export class LimitTrack {
     return this.limit.percentile < 100;
   }
 
+  /** The worst value is asked for several times in a picture, and sorted once. */
   private worstOfShare(time_s: number): Worst | null {
-    const seen = this.worsts.filter((one) => one.time_s <= time_s);
+    const { sorted, worsts } = this;
+    if (sorted?.time_s === time_s && sorted.count === worsts.length) return sorted.worst;
+    const seen = worsts.filter((one) => one.time_s <= time_s);
     const allowed = Math.floor((1 - this.limit.percentile / 100) * seen.length * (1 + ROUNDING));
     const byMargin = seen.sort((a, b) => marginOf(this.limit, a.value) - marginOf(this.limit, b.value));
-    return byMargin[Math.min(allowed, seen.length - 1)] ?? null;
+    const worst = byMargin[Math.min(allowed, seen.length - 1)] ?? null;
+    this.sorted = { time_s, count: worsts.length, worst };
+    return worst;
   }
 
   private seen(): number[] {

@@ -110,8 +110,7 @@ export class View {
     if (this.daylight.surround(!this.ground.visible)) this.detail();
     this.highlight(this.highlighted);
     this.place(frame);
-    if (refit) this.lookAtFirst(run.model.view.camera);
-    else if (!this.cameras().includes(this.camera)) this.look("free");
+    if (refit ? !this.lookBy(run.model.view.camera) : !this.cameras().includes(this.camera)) this.look("free");
     else if (this.camera === "section") this.cut(true);
     this.stale = true;
   }
@@ -153,11 +152,13 @@ export class View {
     this.stale = true;
   }
 
-  /** Shows the viewpoint that the scenario names, as far as the model offers it. */
-  private lookAtFirst(named: string): void {
-    const asked = viewpointOf(named);
-    if (asked !== null && typeof asked !== "string") this.lookAt(asked);
-    else this.look(this.cameras().find((name) => name === asked) ?? "free");
+  /** Shows a viewpoint by its text, a name or a place; returns false if there is none that the model offers. */
+  lookBy(text: string): boolean {
+    const asked = viewpointOf(text);
+    if (asked === null || (typeof asked === "string" && !this.cameras().includes(asked))) return false;
+    if (typeof asked === "string") this.look(asked);
+    else this.lookAt(asked);
+    return true;
   }
 
   /** Shows the view from a place near the first body. */

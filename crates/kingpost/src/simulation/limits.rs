@@ -97,11 +97,13 @@ impl Limit {
 
 impl Held {
     fn see(&mut self, value: f64, time_s: f64) {
-        if !self.limit.is_of_each_row() {
-            self.seen.push([value, time_s]);
-        } else if self.seen.first().is_none_or(|[worst, _]| self.limit.margin(value) < self.limit.margin(*worst)) {
-            self.seen = vec![[value, time_s]];
+        if self.limit.is_of_each_row() {
+            if self.seen.first().is_some_and(|[worst, _]| self.limit.margin(value) >= self.limit.margin(*worst)) {
+                return;
+            }
+            self.seen.clear();
         }
+        self.seen.push([value, time_s]);
     }
 
     /// Returns the worst value after those that the percentile allows beyond a bound, with its time, s.

@@ -2,6 +2,7 @@
 
 use kingpost_derive::fields;
 
+use super::heave::{longest, noise_share, shortest};
 use crate::scenario::leaf::Leaf;
 use crate::scenario::schema::{Name, NonNegative, Positive, SetsInputs, yes};
 
@@ -44,18 +45,6 @@ pub struct HeaveForecast<S = f64> {
 
 fn horizon() -> Positive {
     Positive::literal(20.0)
-}
-
-fn shortest() -> Positive {
-    Positive::literal(4.0)
-}
-
-fn longest() -> Positive {
-    Positive::literal(16.0)
-}
-
-fn noise_share() -> Positive {
-    Positive::literal(0.03)
 }
 
 fn margin<S: Leaf>() -> NonNegative<S> {

@@ -67,15 +67,15 @@ fn gain<S: Leaf>() -> NonNegative<S> {
     NonNegative::literal(0.1)
 }
 
-fn shortest() -> Positive {
+pub(super) fn shortest() -> Positive {
     Positive::literal(4.0)
 }
 
-fn longest() -> Positive {
+pub(super) fn longest() -> Positive {
     Positive::literal(16.0)
 }
 
-fn noise_share() -> Positive {
+pub(super) fn noise_share() -> Positive {
     Positive::literal(0.03)
 }
 
