@@ -1,5 +1,6 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vitest/config";
+import { compressed } from "./vite/compressed.ts";
 import { figure } from "./vite/figure.ts";
 import { gallery } from "./vite/gallery.ts";
 import { notices } from "./vite/notices.ts";
@@ -9,7 +10,7 @@ const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
 export default defineConfig({
   base: "./",
-  plugins: [gallery(here("../scenarios"), here("src/engine/pkg")), notices(here("../THIRD_PARTY_NOTICES.txt")), figure(here("figure")), offline(here("src/offline"))],
+  plugins: [gallery(here("../scenarios"), here("src/engine/pkg")), notices(here("../THIRD_PARTY_NOTICES.txt")), figure(here("figure")), offline(here("src/offline")), compressed()],
   worker: { format: "es" },
   // The paper's equations stand beside the Python package.
   server: { fs: { allow: [".."] } },

@@ -180,6 +180,18 @@ def test_a_cached_file_is_not_sent_again_until_it_changes(own_address, app):
     assert (changed.status, gzip.decompress(changed.body)) == (200, ENGINE + b"\1")
 
 
+def test_a_browser_that_accepts_brotli_gets_the_copy_that_the_build_has_compressed(own_address, app):
+    """Source: RFC 9110: the type is that of the plain file; without a copy, gzip serves."""
+    path = "assets/engine.wasm"
+    (app / f"{path}.br").write_bytes(b"in Brotli")
+    plain, small = fetch(own_address, path), fetch(own_address, path, accept="gzip, deflate, br")
+    assert (small.headers["Content-Encoding"], small.body) == ("br", b"in Brotli")
+    assert (small.headers["Content-Type"], small.headers["Vary"]) == ("application/wasm", "Accept-Encoding")
+    assert small.headers["ETag"] != plain.headers["ETag"]
+    assert fetch(own_address, path, accept="gzip").headers["Content-Encoding"] == "gzip"
+    assert fetch(own_address, path, accept="gzip, br;q=0").headers["Content-Encoding"] == "gzip"
+
+
 def test_the_same_bytes_are_compressed_once(own_address, monkeypatch):
     """Source: the engine takes a tenth of a second, which no second visitor should wait for."""
     sizes = []

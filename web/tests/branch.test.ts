@@ -83,6 +83,25 @@ describe("a run that branches from an earlier moment", () => {
     expect(lost.values.inForce).toEqual(whole.values.inForce);
   });
 
+  it("the paper's motors, damping and gravity act at once, and a branch from before sets them back", async () => {
+    const session = await opened("paper");
+    await run(session, 0.5);
+    const before = session.run;
+    for (const [name, value] of Object.entries({ motor_1: false, motor_2: true, damping: true, gravity: true })) session.set(name, value);
+    await until(() => expect(session.pending()).toEqual([]));
+    await run(session, 0.5);
+    expect([session.run, session.fault]).toEqual([before, null]);
+    const { rows } = session.shown.recording!;
+    const read = (time_s: number, column: string) => session.run!.columns.read(rows.around(time_s)[0].row, column);
+    // The arm stands level until its motor acts: 70 kN m on some 1e4 kg m2.
+    expect(Math.abs(read(0.5, "luff.joint_velocity"))).toBeLessThan(0.1);
+    expect(Math.abs(read(1, "luff.joint_velocity"))).toBeGreaterThan(1);
+    expect([0.5, 1].map((time_s) => read(time_s, "energy_dissipated") > 0)).toEqual([false, true]);
+    session.scrub(0.3);
+    await run(session, 0.26);
+    expect(session.values.inForce).toMatchObject({ motor_1: true, motor_2: false, damping: false, gravity: false });
+  });
+
   it("a branch keeps lever moves before its start and drops later ones, also in the saved file", async () => {
     const session = await opened("lowering_by_winch");
     await run(session, 3);

@@ -99,6 +99,7 @@ export class FakeEngine implements Engine {
       loops: [],
       connections: [],
       steps: [],
+      task: null,
       gravity_m_s2: 9.81,
       sea: null,
       hulls: [],

@@ -24,6 +24,7 @@ const MODEL: ModelInfo = {
   elements: [],
   connections: [],
   steps: [],
+  task: null,
   loops: [
     {
       name: "pin",

@@ -74,6 +74,20 @@ describe("sessions", () => {
     expect(session.status).toBe("paused");
   });
 
+  it("a value that is not live restarts a run that goes and keeps it running; in a paused run it waits", async () => {
+    session.start();
+    await session.advance(0.1);
+    for (const load of [false, true]) session.set("load", load);
+    await until(() => expect([session.status, session.pending()]).toEqual(["running", []]));
+    expect([time(), openings.at(-1), openings.length]).toEqual([0, { load: true }, 2]);
+    session.set("load", true);
+    await session.advance(0.1);
+    session.pause();
+    session.set("load", false);
+    await turns();
+    expect([session.status, session.pending(), time(), openings.length]).toEqual(["paused", ["load"], expect.closeTo(0.1, 9), 2]);
+  });
+
   it("a session saves its run as a file, and reports live values that make a run of it differ", async () => {
     await session.step();
     expect(await session.save()).toMatchObject({ name: "good-saved.yaml", differs: null });

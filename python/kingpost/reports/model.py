@@ -45,6 +45,7 @@ def text(scenario: Scenario, coordinates: Sequence[str]) -> str:
         _elements(described, "sensors"),
         _elements(described, "controllers"),
         _steps(described),
+        _task(described["task"]),
         sea.lines(scenario),
         *splash.sections(scenario),
         *hydrostatics.sections(scenario),
@@ -139,6 +140,14 @@ def _steps(described: dict[str, Any]) -> list[str]:
         rows.append((str(number), step["name"], moves[0], step["until"], limit))
         rows += [("", "", move, "", "") for move in moves[1:]]
     return table(rows, "><<<>")
+
+
+def _task(task: dict[str, Any] | None) -> list[str]:
+    """The task for whoever moves the levers: its stages, and what ends each."""
+    if task is None:
+        return []
+    stages = [(str(number), one["name"], one["until"]) for number, one in enumerate(task["stages"], start=1)]
+    return [f"task: {task['text']}", *table([("stage", "task", "until"), *stages], "><<")]
 
 
 def _move(move: dict[str, Any], kinds: dict[str, str]) -> str:

@@ -8,7 +8,7 @@ from http import HTTPStatus
 from pathlib import Path
 from typing import Any
 
-from .bodies import Body, Compressor, accepts_gzip, content_type, is_host_of, policy
+from .bodies import Body, Compressor, accepts, built, content_type, is_host_of, policy
 
 METHODS = ("GET", "HEAD")
 Start = Callable[[str, list[tuple[str, str]]], Any]
@@ -47,7 +47,7 @@ class Application:
             return _refused(start, HTTPStatus.METHOD_NOT_ALLOWED, {"Allow": ", ".join(METHODS)})
         if not is_host_of(environ.get("HTTP_HOST"), self.named):
             return _refused(start, HTTPStatus.MISDIRECTED_REQUEST)
-        body = self._body(_path(environ), accepts_gzip(environ.get("HTTP_ACCEPT_ENCODING")))
+        body = self._body(_path(environ), environ.get("HTTP_ACCEPT_ENCODING"))
         if body is None:
             return _refused(start, HTTPStatus.NOT_FOUND)
         if body.tag in environ.get("HTTP_IF_NONE_MATCH", ""):
@@ -56,19 +56,21 @@ class Application:
         _begin(start, HTTPStatus.OK, body.headers())
         return [body.content]
 
-    def _body(self, path: str, gzipped: bool) -> Body | None:
+    def _body(self, path: str, accept_encoding: str | None) -> Body | None:
         """Return the page at this URL path, otherwise the file; None if there is neither."""
         if not path.isprintable():
             return None
+        kind, gzipped = content_type(path), accepts("gzip", accept_encoding)
         if path in self.pages:
-            return self.compressor.body(self.pages[path], content_type(path), gzipped)
+            return self.compressor.body(self.pages[path], kind, gzipped)
         folder = self.folder.resolve()
         try:
             place = (folder / path.lstrip("/")).resolve()
             place = place / "index.html" if path.endswith("/") else place
             if not place.is_relative_to(folder):
                 return None
-            return self.compressor.body(place.read_bytes(), content_type(place.name), gzipped)
+            smallest = built(place, kind) if accepts("br", accept_encoding) else None
+            return smallest or self.compressor.body(place.read_bytes(), content_type(place.name), gzipped)
         except (OSError, ValueError):
             return None
 

@@ -187,8 +187,8 @@ export class Session implements Player {
   }
 
   /**
-   * Sets a value. At the start it acts at once; during a run a live value acts at once, and any other value waits for
-   * the reset.
+   * Sets a value. At the start it acts at once; during a run a live value acts at once, and any other value restarts a
+   * run that goes, and waits for the reset of a run that is paused.
    */
   set(name: string, value: Value): void {
     this.steering.set(name, value);

@@ -16,6 +16,7 @@ import type {
   ParameterDescription,
   PointDescription,
   SphereShape,
+  TaskDescription,
   Warning,
 } from "../generated/model";
 import type { Equations } from "../generated/equations";
@@ -35,6 +36,7 @@ export type LimitInfo = LimitDescription;
 export type LoopInfo = LoopDescription;
 export type MeshInfo = MeshDescription;
 export type PointInfo = PointDescription;
+export type TaskInfo = TaskDescription;
 
 export type Value = boolean | number | string;
 export type Values = Record<string, Value>;

@@ -88,6 +88,10 @@ export interface Description {
    */
   steps: StepDescription[];
   /**
+   * The task for whoever moves the levers, if there is one.
+   */
+  task: TaskDescription | null;
+  /**
    * The forces and the drives.
    */
   elements: ElementDescription[];
@@ -451,6 +455,56 @@ export interface MoveDescription {
    * Its duration, s; 0 for a jump.
    */
   in_s: number;
+}
+/**
+ * The task for whoever moves the levers.
+ */
+export interface TaskDescription {
+  /**
+   * The task in one sentence.
+   */
+  text: string;
+  /**
+   * Its stages.
+   */
+  stages: StageDescription[];
+  /**
+   * The mark at the place to reach; absent if there is none.
+   */
+  mark: MarkDescription | null;
+}
+/**
+ * A stage of the task.
+ */
+export interface StageDescription {
+  /**
+   * Its name.
+   */
+  name: string;
+  /**
+   * The condition that ends it, as text.
+   */
+  until: string;
+}
+/**
+ * A circle on a level surface.
+ */
+export interface MarkDescription {
+  /**
+   * Index of its body; absent for the world.
+   */
+  body: number | null;
+  /**
+   * Its centre relative to the body's centre of mass, along the body's axes, or in the world, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m: [number, number, number];
+  /**
+   * Its radius, m.
+   */
+  radius_m: number;
 }
 /**
  * A force, a drive, a sensor or a controller.

@@ -4403,6 +4403,10 @@ export interface Scenario {
    */
   operation?: Operation | null;
   /**
+   * The task for whoever moves the levers.
+   */
+  task?: Task | null;
+  /**
    * Limits on columns of the results, by name.
    */
   limits?: {
@@ -7088,6 +7092,82 @@ export interface Lull {
    * The heave, m: `predicted_heave_bound` is below it.
    */
   below_m: number;
+}
+/**
+ * A task for whoever moves the levers: stages, one after another. It is done when the last stage ends, and failed when a
+ * limit of the scenario is exceeded before.
+ */
+export interface Task {
+  /**
+   * Whether the task is set.
+   */
+  enabled?: boolean;
+  /**
+   * The task in one sentence: "Set the box down on the mark, softer than 0.3 m/s."
+   */
+  text: string;
+  /**
+   * The stages.
+   */
+  stages: TaskStage[];
+  /**
+   * The mark that views draw at the place to reach.
+   */
+  mark?: Mark | null;
+}
+/**
+ * A stage of a task.
+ */
+export interface TaskStage {
+  /**
+   * Name of the stage, which describes it: "over the quay".
+   */
+  name: string;
+  /**
+   * The condition that ends it.
+   */
+  until:
+    | {
+        after_s: number;
+      }
+    | {
+        value: ColumnRange;
+      }
+    | {
+        all: Condition[];
+      }
+    | {
+        any: Condition[];
+      }
+    | {
+        holds: HoldingCondition;
+      }
+    | {
+        count: CountedCondition;
+      }
+    | {
+        lull: Lull;
+      };
+}
+/**
+ * A circle on a level surface of a body, or of the world.
+ */
+export interface Mark {
+  /**
+   * The body, or `world`.
+   */
+  body: string;
+  /**
+   * Its centre in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m: [number, number, number];
+  /**
+   * Its radius, m.
+   */
+  radius_m: number;
 }
 /**
  * A limit on a column of the results. A run reports for each limit whether it held, and the worst value with its time.

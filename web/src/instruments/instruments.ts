@@ -11,6 +11,7 @@ import type { LimitState } from "./limits";
 import { ReadingTable } from "./reading_table";
 import { paletteChoice, soundSwitch } from "./settings";
 import { ShipDials } from "./ship_dials";
+import { TaskCard } from "./task";
 
 /** Column of the present step of an operation. */
 const STEP = "operation.operation_step";
@@ -23,12 +24,14 @@ export class Instruments {
   private readonly said = make("p", { class: "visually-hidden", role: "status" });
   private readonly body = make("div", { class: "instruments" });
   private readonly cockpit = new Cockpit();
+  private readonly task: TaskCard;
   private tracks: LimitTrack[] = [];
   private bars: LimitBar[] = [];
   private states: LimitState[] = [];
   private parts: { show(run: Run, moment: Moment): void }[] = [];
 
   constructor(private readonly session: Session) {
+    this.task = new TaskCard(session);
     this.panel.append(make("h2", { class: "visually-hidden" }, texts.instruments.title), this.body, make("div", { class: "instruments-settings" }, paletteChoice(), soundSwitch(this.alarm)), this.said);
     session.listen({
       opened: (run, frame) => this.open(run, frame.rows),
@@ -45,6 +48,7 @@ export class Instruments {
     this.bars = this.tracks.map((track) => new LimitBar(track));
     this.states = this.tracks.map(() => "waiting");
     this.cockpit.open(run, this.tracks);
+    this.task.open(run);
     this.see(run, rows);
     const [dials, readings] = [ShipDials.of(run, this.session), ReadingTable.of(run, this.session)];
     this.parts = [dials, readings].filter((part) => part !== null);
@@ -76,6 +80,7 @@ export class Instruments {
     if (this.session.status === "running") this.warnOf(states);
     this.states = states;
     this.cockpit.show(run, moment, states);
+    this.task.show(run, moment, this.tracks);
     this.tab.dataset.state = gravest(states);
     if (isPanelOpen("instruments")) for (const part of this.parts) part.show(run, moment);
   }

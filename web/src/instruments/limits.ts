@@ -79,6 +79,12 @@ export class LimitTrack {
     return this.worsts[at] ?? null;
   }
 
+  /** Returns the time at which a bound was first exceeded; null if none was, or if the limit has a percentile. */
+  firstExceeded(): number | null {
+    if (this.isOfShare) return null;
+    return this.worsts.find(({ value }) => marginOf(this.limit, value) < 0)?.time_s ?? null;
+  }
+
   state(time_s: number, row: ArrayLike<number>): LimitState {
     if (!this.appliesTo(time_s, row)) return "waiting";
     const value = (this.isOfShare ? this.worstUntil(time_s)?.value : undefined) ?? this.valueIn(row);

@@ -27,6 +27,7 @@ import { Section } from "./section";
 import { withFrame } from "./solids";
 import { gridSpacing } from "./spacing";
 import type { Tints } from "./tension";
+import { Target } from "./target";
 import { labelScale, triadOf } from "./triad";
 import { CAMERAS, textOfPlace, viewpointOf } from "./viewpoint";
 import type { CameraName, Place } from "./viewpoint";
@@ -58,6 +59,7 @@ export class View {
   private readonly fleet = new Fleet();
   private readonly section = new Section();
   private readonly seabed = new Seabed();
+  private readonly target = new Target();
   readonly overlays = new Overlays(this.fleet);
   private palette: Palette = readPalette();
   private run: Shown | null = null;
@@ -86,7 +88,7 @@ export class View {
     this.eye = new Eye(canvas, () => (this.stale = true), () => coversOf(canvas), () => this.fit());
     this.daylight = new Daylight(this.renderer, this.air);
     this.drawing = Drawing.of(this.renderer);
-    this.scene.add(this.ground, this.sea, this.daylight, this.fleet.world, this.seabed, this.section, this.marks.group, this.overlays, this.cloud);
+    this.scene.add(this.ground, this.sea, this.daylight, this.fleet.world, this.seabed, this.target, this.section, this.marks.group, this.overlays, this.cloud);
     this.light();
     const resized = new ResizeObserver(() => this.resize());
     // On a phone the panels are over the picture.
@@ -101,6 +103,7 @@ export class View {
     this.frame = frame;
     this.fleet.build(run, this.start, this.palette, this.isPlain);
     this.seabed.place(run.lines, frame.line_points);
+    this.target.build(run.model.task?.mark ?? null, this.palette);
     this.fleet.tint(this.tints);
     const axes = this.framesShown ? FRAME_LENGTH * this.fleet.size : 0;
     this.eye.watch(this.fleet.drawn.map((box) => withFrame(box, 1.3 * axes)), frame.poses, this.start.poses);
@@ -281,6 +284,7 @@ export class View {
   private place(frame: Pose): void {
     const { poses } = frame;
     this.fleet.place(frame);
+    this.target.place(poses);
     this.marks.place(this.fleet.bodies);
     const hull = this.hull();
     if (this.camera === "section" && hull >= 0) this.section.place(this.fleet.bodies[hull], this.fleet.boxes[hull], (x, y) => this.sea.heightAt(x, y));

@@ -322,7 +322,7 @@ export default {
     await close();
   },
 
-  async "live parameters of the sea are set during a run, and other parameters offer a restart"(host) {
+  async "live parameters of the sea are set during a run; others wait in a pause, and restart a run that goes"(host) {
     const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel_moored" });
     await stepTo(page, 0.5);
     await page.getByTestId("slider-significant_height_m").fill("4");
@@ -330,15 +330,17 @@ export default {
     assert.equal(await page.getByTestId("restart").count(), 0);
     assert.match(await page.locator(".item", { has: item(page, "current_x_m_s") }).textContent(), /acts at once/);
     const load = page.locator(".item", { has: item(page, "load_t") });
-    assert.match(await load.textContent(), /at a restart/);
-    await page.getByTestId("start").click();
+    assert.match(await load.textContent(), /restarts the run/);
     await item(page, "load_t").fill("30");
     await item(page, "load_t").blur();
     assert.deepEqual((await sample(page)).pending, ["load_t"]);
-    await page.getByTestId("restart").click();
+    assert.equal(await page.getByTestId("restart").count(), 1);
+    await page.getByTestId("start").click();
+    await item(page, "load_t").fill("31");
+    await item(page, "load_t").blur();
     await page.waitForFunction(() => window.kingpost.sample().status === "running" && window.kingpost.sample().pending.length === 0);
     assert.equal(await page.getByTestId("restart").count(), 0);
-    assert.equal(await item(page, "load_t").inputValue(), "30");
+    assert.equal(await item(page, "load_t").inputValue(), "31");
     await close();
   },
 

@@ -37,7 +37,7 @@ impl Member {
     pub(super) fn new(parsed: Parsed<'_>, run: usize, variant: &Variant, files: &Files) -> Result<Self, BatchError> {
         let wrong = |error| BatchError::Variant { run, error };
         let (scenario, setup) = parsed.read_and_build(variant, files).map_err(wrong)?;
-        let structure = scenario.structure();
+        let structure = scenario.structure(&[]);
         Ok(Self { scenario, setup, structure })
     }
 

@@ -157,6 +157,7 @@ impl Scenario {
             controllers,
             wires,
             operation,
+            task,
             files,
             ..
         } = self;
@@ -171,7 +172,7 @@ impl Scenario {
             sensors,
             controllers,
             wires,
-            operation,
+            (operation, task),
             &files.digests,
         );
         serde_json::to_vec(&run).map_or(0, |text| digest(&text))

@@ -78,7 +78,9 @@ impl Scenario {
         self.check_live(name)?;
         let next = read::changed(self, name, value).map_err(Box::new)?;
         let restart = |why| ParameterError::Restart { name: name.to_owned(), found: wording::found(value), why };
-        if !LIVE_SETTINGS.contains(&name) && next.structure() != self.structure() {
+        let switches = self.switches(name);
+        let structure = |of: &Self| of.structure(&switches);
+        if !LIVE_SETTINGS.contains(&name) && structure(&next) != structure(self) {
             return Err(restart("which changes the structure of the run"));
         }
         if self.shapes() != next.shapes() {
@@ -91,6 +93,15 @@ impl Scenario {
         }
         simulation.go_on_as(changed, name).map_err(restart)?;
         Ok(next)
+    }
+
+    /// Returns the switches of forces and drives that a parameter sets. A run continues with them if columns, states and
+    /// inputs remain.
+    fn switches(&self, name: &str) -> Vec<&str> {
+        let writes = self.parameters.iter().filter(|parameter| parameter.name == name).flat_map(|one| &one.writes);
+        let is_switch =
+            |path: &&str| (path.starts_with("forces.") || path.starts_with("drives.")) && path.ends_with(".enabled");
+        writes.map(String::as_str).filter(is_switch).collect()
     }
 
     /// Returns the shapes, which views draw only once.

@@ -31,11 +31,7 @@ impl Simulation {
     /// # Errors
     /// The reason why it cannot; nothing has changed then.
     pub fn go_on_as(&mut self, mut next: Simulation, what: &str) -> Result<(), &'static str> {
-        let lengths = |of: &Simulation| {
-            let super::State { q, v, s, d, m, .. } = &of.state;
-            [q, v, s, d].map(Vec::len).into_iter().chain([m.len()]).collect::<Vec<_>>()
-        };
-        if lengths(self) != lengths(&next) || self.channels() != next.channels() {
+        if !self.is_laid_out_like(&next) {
             return Err("which changes the structure of the run");
         }
         let gap = next.plant.loop_gap(&self.state.q, &self.state.v);
@@ -56,7 +52,7 @@ impl Simulation {
         next.plant.evaluations = self.plant.evaluations;
         core::mem::swap(&mut next.watch, &mut self.watch);
         core::mem::swap(&mut next.limits, &mut self.limits);
-        core::mem::swap(&mut next.steering, &mut self.steering);
+        next.steering.take_history(&mut self.steering);
         next.steering.parameter_set(next.state.steps, what);
         let (element, code) = (what.to_owned(), "parameter_set");
         let record = EventRecord { time_s, element, code, what: "was set".into() };
@@ -64,5 +60,17 @@ impl Simulation {
         next.note_brought_about(time_s, next.state.steps);
         *self = next;
         Ok(())
+    }
+    /// Returns whether the states of this simulation have the same meaning in another one, with the same columns.
+    fn is_laid_out_like(&self, other: &Self) -> bool {
+        let motion = |of: &Self| (of.state.q.len(), of.state.v.len());
+        let names = |of: &Self| {
+            let layout = of.plant.layout();
+            let inputs = layout.inputs.iter().map(|input| input.name.clone());
+            let states = layout.states.iter().map(|state| state.name.clone());
+            let discrete = [&layout.numbers, &layout.modes].into_iter().flatten().cloned();
+            (inputs.chain(states).chain(discrete).collect::<Vec<_>>(), layout.watched.len())
+        };
+        motion(self) == motion(other) && self.channels() == other.channels() && names(self) == names(other)
     }
 }

@@ -23,6 +23,7 @@ pub use crate::elements::{Input, Warning};
 pub use errors::{InputError, RunError};
 pub use events::EventRecord;
 pub use feedback::GrowingMode;
+#[cfg(not(target_family = "wasm"))]
 pub(crate) use limits::OPERATION_STEP;
 pub use limits::{Limit, LimitResult};
 pub use settle::{Equilibrium, Instability, NoEquilibrium};

@@ -80,6 +80,12 @@ impl<S: Scalar> Steering<S> {
         self.parameters.push((steps, name.to_owned()));
     }
 
+    /// Takes the changes that were made in the run that this one continues.
+    pub(super) fn take_history(&mut self, of: &mut Self) {
+        self.moves = core::mem::take(&mut of.moves);
+        self.parameters = core::mem::take(&mut of.parameters);
+    }
+
     /// Removes the moves after this number of steps.
     pub(super) fn forget_after(&mut self, steps: u64) {
         self.moves.retain(|&(at, ..)| at <= steps);

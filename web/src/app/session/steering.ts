@@ -23,13 +23,16 @@ export class Steering {
 
   /**
    * Sets a value. At the start the scenario is opened again with it. During a run a live value is set in the engine,
-   * and the picture shows its effect at the next step; any other value waits for the reset.
+   * and the picture shows its effect at the next step; any other value restarts a run that goes, and waits for the reset
+   * of a run that is paused.
    */
   set(name: string, value: Value): void {
-    this.state.values.want(name, value);
+    const { run, status, values } = this.state;
+    values.want(name, value);
     this.state.emit((listener) => listener.valuesChanged?.());
-    if (this.state.status === "idle") void this.opening.reopen();
-    else if (this.state.run && isLive(this.state.run.model, name)) void this.live.set(name, value);
+    if (status === "idle") void this.opening.reopen();
+    else if (run && isLive(run.model, name)) void this.live.set(name, value);
+    else if (status === "running" && values.pending().includes(name)) this.opening.restart();
   }
 
   /** Sends a live value to the engine; a refused value waits for the reset. */

@@ -1,6 +1,6 @@
 export const controls = {
   title: "Controls",
-  intro: "At the start every change acts at once. During a run some act at once, and the others at a restart.",
+  intro: "At the start every change acts at once. During a run some act at once, and the others restart it; in a pause they wait for the restart.",
   switches: "Switches",
   choices: "Choices",
   numbers: "Numbers",
@@ -10,7 +10,7 @@ export const controls = {
   set_by_scenario: (inputs: string) => `Set by the scenario: ${inputs}.`,
   moves_are_kept: "Save scenario keeps the lever moves as an operation.",
   live: "acts at once",
-  restart: "at a restart",
+  restart: "restarts the run",
   restart_now: "Restart with these values",
 };
 

@@ -19,6 +19,11 @@ export const instruments = {
   at_least: (bound: string) => `At least ${bound}`,
   states: { ok: "within its limit", near: "near its limit", exceeded: "beyond its limit", waiting: "does not apply yet" },
   exceeded: (names: string) => `Limit exceeded: ${names}.`,
+  task: {
+    stage: (at: number, of: number, name: string) => `Task ${at}/${of}: ${name}`,
+    done: (time_s: string) => `Done at ${time_s} s, with every limit held`,
+    failed: (limit: string, time_s: string) => `Failed at ${time_s} s: limit of ${limit}`,
+  },
   palette: "Colours",
   palettes: { device: "Same as the device", day: "Day", dusk: "Dusk", night: "Night", bright: "Bright sun" },
   sound: "Sound when a limit is exceeded",

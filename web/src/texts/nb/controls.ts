@@ -2,7 +2,7 @@ import type { Texts } from "../index";
 
 export const controls: Texts["controls"] = {
   title: "Styring",
-  intro: "Ved start virker alle endringer med en gang. Under kjøring virker noen med en gang, og de andre ved ny start.",
+  intro: "Ved start virker alle endringer med en gang. Under kjøring virker noen med en gang, og de andre starter den på nytt; i en pause venter de på ny start.",
   switches: "Brytere",
   choices: "Valg",
   numbers: "Tall",
@@ -12,7 +12,7 @@ export const controls: Texts["controls"] = {
   set_by_scenario: (inputs) => `Satt av scenarioet: ${inputs}.`,
   moves_are_kept: "Lagre scenario tar vare på spakbevegelsene som en operasjon.",
   live: "virker straks",
-  restart: "ved ny start",
+  restart: "starter på nytt",
   restart_now: "Start på nytt med disse verdiene",
 };
 

@@ -21,6 +21,11 @@ export const instruments: Texts["instruments"] = {
   at_least: (bound) => `Minst ${bound}`,
   states: { ok: "innenfor grensen", near: "nær grensen", exceeded: "utenfor grensen", waiting: "gjelder ikke ennå" },
   exceeded: (names) => `Grense overskredet: ${names}.`,
+  task: {
+    stage: (at, of, name) => `Oppgave ${at}/${of}: ${name}`,
+    done: (time_s) => `Fullført ved ${time_s} s, innenfor alle grenser`,
+    failed: (limit, time_s) => `Mislykket ved ${time_s} s: grensen for ${limit}`,
+  },
   palette: "Farger",
   palettes: { device: "Som enheten", day: "Dag", dusk: "Skumring", night: "Natt", bright: "Sterk sol" },
   sound: "Lyd når en grense overskrides",

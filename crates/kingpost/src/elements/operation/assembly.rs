@@ -1,9 +1,11 @@
-//! The timeline of an operation.
+//! The timelines of an operation and of a task.
 
 use crate::elements::Operation;
 use crate::elements::operation::{Bound, ColumnRange, Condition, Move, OperationStep};
 use crate::elements::{Input, Layout};
+use crate::model::{Attachment, Model};
 use crate::scenario::assembly::FieldError;
+use crate::scenario::assembly::attachments::attachment;
 use crate::scenario::assembly::columns::{self, Column};
 use crate::scenario::assembly::wires;
 use crate::scenario::leaf::Quantity;
@@ -11,29 +13,65 @@ use crate::scenario::schema::{self, Scenario};
 use crate::scenario::wording::one_of_with_hint;
 use crate::simulation::Setup;
 
-/// Name of the operation in the table of events.
-const NAME: &str = "operation";
+/// Names of the operation and of the task in the table of events.
+pub(crate) const NAME: &str = "operation";
+pub(crate) const TASK: &str = "task";
 
-/// Adds the operation, if it is enabled, before the controllers, because it may set their commands. The controllers are
-/// the last `controllers` of all elements.
+/// Adds the operation and the task, if they are enabled, before the controllers, because an operation may set their
+/// commands. The controllers are the last `controllers` of all elements.
 pub fn add<S: Quantity>(scenario: &Scenario<S>, setup: &mut Setup<S>, controllers: usize) -> Result<(), FieldError> {
-    let Some(given) = scenario.operation.as_ref().filter(|operation| operation.enabled) else { return Ok(()) };
-    if given.steps.is_empty() {
-        return Err(FieldError::new("operation.steps", "none", "at least one step"));
+    if let Some(given) = scenario.operation.as_ref().filter(|operation| operation.enabled) {
+        check_ends(&given.steps)?;
+        insert(setup, controllers, (NAME, "operation.steps", "step"), &given.steps)?;
+    }
+    if let Some(given) = scenario.task.as_ref().filter(|task| task.enabled) {
+        if let Some(mark) = &given.mark {
+            place_of(scenario, &setup.model, mark)?;
+        }
+        let steps: Vec<_> = given.stages.iter().map(step_of).collect();
+        insert(setup, controllers, (TASK, "task.stages", "stage"), &steps)?;
+    }
+    Ok(())
+}
+
+/// Adds a timeline; `field` is the path of its steps, and `one` the word for one of them.
+fn insert<S: Quantity>(
+    setup: &mut Setup<S>,
+    controllers: usize,
+    (name, field, one): (&str, &str, &str),
+    given: &[schema::OperationStep<S>],
+) -> Result<(), FieldError> {
+    if given.is_empty() {
+        return Err(FieldError::new(field, "none", format!("at least one {one}")));
     }
     let mut layout = Layout::new(&setup.elements, 0);
     layout.connect(&setup.wires);
     let held: Vec<&str> = setup.model.loops.iter().map(|closed| closed.name.as_str()).collect();
     let (known, inputs, columns) = (columns::of(setup), Vec::new(), Vec::new());
     let mut reader = Reader { layout: &layout, held, known, inputs, columns };
-    check_ends(&given.steps)?;
-    let steps = given.steps.iter().enumerate().map(|(i, step)| reader.step(&format!("operation.steps.{i}"), step));
+    let steps = given.iter().enumerate().map(|(i, step)| reader.step(&format!("{field}.{i}"), step));
     let steps = steps.collect::<Result<_, _>>()?;
     let Reader { inputs, columns, .. } = reader;
     let step_s = setup.settings.step_s;
-    let operation = Operation { name: NAME.to_owned(), steps, inputs, columns, step_s };
+    let operation = Operation { name: name.to_owned(), steps, inputs, columns, step_s };
     setup.elements.insert(setup.elements.len() - controllers, Box::new(operation));
     Ok(())
+}
+
+/// Returns a stage as a step without moves.
+fn step_of<S>(stage: &schema::TaskStage) -> schema::OperationStep<S> {
+    let schema::TaskStage { name, until } = stage.clone();
+    schema::OperationStep { name, set: Vec::new(), until: Some(until), time_out_s: None }
+}
+
+/// Returns the place of a mark, relative to the centre of mass of its body.
+pub(crate) fn place_of<S: Quantity>(
+    scenario: &Scenario<S>,
+    model: &Model<S>,
+    mark: &schema::Mark<S>,
+) -> Result<Attachment<S>, FieldError> {
+    let pin = schema::Pin { body: mark.body.clone(), position_m: mark.position_m };
+    attachment(scenario, model, "task.mark.position_m", &pin)
 }
 
 /// Checks that every step has moves or a condition; only the last step needs neither.

@@ -110,6 +110,41 @@ pub struct ColumnRange {
     pub unit: Option<String>,
 }
 
+/// A task for whoever moves the levers: stages, one after another. It is done when the last stage ends, and failed when a
+/// limit of the scenario is exceeded before.
+#[fields]
+pub struct Task<S = f64> {
+    /// Whether the task is set.
+    #[serde(default = "yes")]
+    pub enabled: bool,
+    /// The task in one sentence: "Set the box down on the mark, softer than 0.3 m/s."
+    pub text: String,
+    /// The stages.
+    pub stages: Vec<TaskStage>,
+    /// The mark that views draw at the place to reach.
+    pub mark: Option<Mark<S>>,
+}
+
+/// A stage of a task.
+#[fields]
+pub struct TaskStage {
+    /// Name of the stage, which describes it: "over the quay".
+    pub name: String,
+    /// The condition that ends it.
+    pub until: Condition,
+}
+
+/// A circle on a level surface of a body, or of the world.
+#[fields]
+pub struct Mark<S = f64> {
+    /// The body, or `world`.
+    pub body: Name,
+    /// Its centre in the body's drawing frame, m.
+    pub position_m: [S; 3],
+    /// Its radius, m.
+    pub radius_m: Positive<S>,
+}
+
 /// A limit on a column of the results. A run reports for each limit whether it held, and the worst value with its time.
 #[fields]
 pub struct Limit {

@@ -12,7 +12,7 @@ mod warnings;
 pub use afloat::{CutSpectrum, HullDescription, MeshDescription, SeaDescription};
 pub use facts::{ElementDescription, Fact};
 pub use in_water::{ImmersionDescription, ObjectInWater};
-pub use operation::{MoveDescription, StepDescription};
+pub use operation::{MarkDescription, MoveDescription, StageDescription, StepDescription, TaskDescription};
 
 use crate::elements::{Connection, Submerged};
 use crate::model::{Attachment, Loop, Model, Node};
@@ -52,6 +52,8 @@ pub struct Description {
     pub connections: Vec<ConnectionDescription>,
     /// The steps of the operation; none without one.
     pub steps: Vec<StepDescription>,
+    /// The task for whoever moves the levers, if there is one.
+    pub task: Option<TaskDescription>,
     /// The forces and the drives.
     pub elements: Vec<ElementDescription>,
     /// Acceleration of gravity, m/s^2; 0 if it is disabled.
@@ -292,6 +294,7 @@ impl Scenario {
             loops: model.loops.iter().map(|closed| describe_loop(model, closed)).collect(),
             connections: Connection::among(elements).map(|own| describe_connection(model, own)).collect(),
             steps: operation::steps(elements),
+            task: operation::task(self, model, elements),
             elements: facts::elements(self),
             gravity_m_s2: world.gravity,
             sea,

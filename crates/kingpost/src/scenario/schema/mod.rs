@@ -61,7 +61,9 @@ pub use crate::elements::input_shaper::fields::{InputShaper, ShaperKind};
 pub use crate::elements::line::fields::{DynamicLine, DynamicLineSection, LineClumpWeight, LineSeabed, SectionEnd};
 pub use crate::elements::lines::fields::{CatenaryLine, SpringLine};
 pub use crate::elements::motion_reference_unit::fields::{HeaveFilter, MotionReferenceUnit};
-pub use crate::elements::operation::fields::{ColumnRange, Condition, InputMove, Limit, Operation, OperationStep};
+pub use crate::elements::operation::fields::{
+    ColumnRange, Condition, InputMove, Limit, Mark, Operation, OperationStep, Task, TaskStage,
+};
 pub use crate::elements::policy::fields::{AlsoRead, Policy, PolicyLayer, PolicyRead, PolicySteer};
 pub use crate::elements::quadratic_damping::fields::QuadraticDamping;
 pub use crate::elements::ropes::fields::{
@@ -166,6 +168,8 @@ pub struct Scenario<S = f64> {
     pub wires: IndexMap<Name, Wire>,
     /// The timeline that moves levers and set-points.
     pub operation: Option<Operation<S>>,
+    /// The task for whoever moves the levers.
+    pub task: Option<Task<S>>,
     /// Limits on columns of the results, by name.
     #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
     pub limits: IndexMap<Name, Limit>,
