@@ -1,7 +1,8 @@
 // The start page, before the engine is loaded.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
+import { gzipSync } from "node:zlib";
 import { thorough } from "../lane.mjs";
 import { DESKTOP, PAPER, PHONE, openFile, openPage } from "./app.mjs";
 import { assertAccessible } from "./axe.mjs";
@@ -9,6 +10,16 @@ import { assertAccessible } from "./axe.mjs";
 const paper = readFileSync(fileURLToPath(new URL("../../../scenarios/paper.yaml", import.meta.url)), "utf8");
 /** Largest compressed size of all files that are loaded before a scenario is chosen, bytes. */
 const FIRST_LOAD = 1_000_000;
+/** Largest compressed sizes of all files that the paper's scenario loads, without the engine and with it, bytes. */
+const SCENARIO_LOAD = { without: 600_000, with: 1_800_000 };
+const built = (path) => fileURLToPath(new URL(`../../dist/${path}`, import.meta.url));
+
+/** Size of a file as it is sent: in Brotli where the build has such a copy, otherwise by gzip. */
+function sentSize(path) {
+  const copy = built(`${path}.br`);
+  return existsSync(copy) ? readFileSync(copy).length : gzipSync(readFileSync(built(path))).length;
+}
+
 /** Viewport of a window of 1280 pixels at 400 %. */
 const SMALL = { width: 320, height: 256 };
 
@@ -33,6 +44,20 @@ async function isAccessible(page, viewport, palettes) {
 }
 
 export default {
+  async "the paper's scenario loads at most 0.6 MB without the engine, and 1.8 MB with it"(host) {
+    const paths = new Set();
+    const note = (response) => paths.add(response.url().slice(host.address.length).replace(/\?.*/, "") || "index.html");
+    const { page, close } = await openPage(host, { query: PAPER, prepare: (context) => context.on("response", note) });
+    await isIdle(page);
+    await page.waitForLoadState("networkidle");
+    const sizes = [...paths].filter((path) => existsSync(built(path))).map((path) => [path, sentSize(path)]);
+    const sum = (some) => some.reduce((total, [, bytes]) => total + bytes, 0);
+    const [all, without] = [sum(sizes), sum(sizes.filter(([path]) => !path.endsWith(".wasm")))];
+    console.log(`        ${sizes.length} files, ${without} bytes without the engine, ${all} with it`);
+    assert.ok(without <= SCENARIO_LOAD.without && all <= SCENARIO_LOAD.with && all > without, sizes.map((one) => one.join(" ")).join(", "));
+    await close();
+  },
+
   async "the start page shows the gallery's cards without the engine, within one megabyte"(host) {
     const sizes = [];
     const measure = async (response) => sizes.push({ url: response.url(), bytes: (await response.body().catch(() => Buffer.alloc(0))).length });
