@@ -101,6 +101,7 @@ describe("names of inputs", () => {
   it("leaves out the elements of an input unless another one has the same ending", () => {
     const names = (...all: string[]) => [...namesOf(all.map((name) => ({ name }))).values()];
     expect(names("slewing_gear", "hoist")).toEqual(["slewing gear", "hoist"]);
-    expect(names("learned.choice.policy.slewing", "regulator.choice.lqr.slewing", "hoist.drum")).toEqual(["policy slewing", "lqr slewing", "drum"]);
+    expect(names("learned.choice.policy.slewing", "regulator.choice.lqr.slewing", "hoist.drum")).toEqual(["slewing (learned)", "slewing (regulator)", "drum"]);
+    expect(names("choice.policy.slewing", "choice.lqr.slewing")).toEqual(["choice policy slewing", "choice lqr slewing"]);
   });
 });
