@@ -52,3 +52,4 @@ mod submerged;
 mod submerged_mistakes;
 mod submerged_motions;
 mod swing_estimator;
+mod tasks;

@@ -44,6 +44,8 @@ fn a_text_of_no_form_is_known() {
         "ColumnRange.unit",
         "InputMove.unit",
         "OperationStep.name",
+        "Task.text",
+        "TaskStage.name",
         // Files.
         "Hydrodynamics.database",
         "MovedByWaves.raos",
