@@ -15,6 +15,8 @@ import { asFault } from "./engine/engine";
 import type { Fault } from "./engine/engine";
 import { EquationsPanel } from "./equations/equations";
 import { exportTool } from "./export/dialog";
+import type { FilmDialog } from "./film/dialog";
+import type { Studio } from "./film/film";
 import { Instruments } from "./instruments/instruments";
 import { Levers } from "./levers/levers";
 import { Periods } from "./physics/periods";
@@ -90,6 +92,18 @@ export function startSimulator(gallery: Promise<Gallery>): Simulator {
   };
 }
 
+/** Returns a function that opens the dialog for films, which is loaded then. */
+function filmOpener(studio: Studio): () => Promise<void> {
+  let dialog: Promise<FilmDialog> | null = null;
+  return async () => {
+    dialog ??= import("./film/dialog").then(({ FilmDialog }) => new FilmDialog(studio));
+    (await dialog.catch((thrown: unknown) => {
+      dialog = null;
+      throw thrown;
+    })).open();
+  };
+}
+
 function buildPage(session: Session, startClient: () => EngineClient, rest: Rest): void {
   showFaults(session);
   showModelWarnings(session);
@@ -110,7 +124,8 @@ function buildPage(session: Session, startClient: () => EngineClient, rest: Rest
   new Scrubber(session);
   announce(session);
   const scene = createScene(session, background);
-  const plots: Plots = new Plots(session, background, [exportTool(session, scene, () => plots.shown)]);
+  const studio = { session, background, scene, plots: () => plots.shown };
+  const plots: Plots = new Plots(session, background, [exportTool(session, scene, () => plots.shown, filmOpener(studio))]);
   new EquationsPanel(session, background, (what) => scene.highlight(what));
   const startSweep = () => new Worker(new URL("./physics/worker.ts", import.meta.url), { type: "module", name: language });
   const physics = new PhysicsPanel(session, background, new Periods(startSweep, galleryFolder(document.baseURI)));

@@ -1,0 +1,47 @@
+import type { film as english } from "../en/film";
+
+export const film: typeof english = {
+  title: "Film, og bilder i enhver størrelse",
+  from: "Fra, s",
+  to: "Til, s",
+  size: "Størrelse, piksler",
+  frames_per_s: "Bilder per sekund",
+  speed: "Fart, sekunder av kjøringen i ett av filmen",
+  format: "Filformat",
+  formats: { webm: "WebM", mp4: "MP4" },
+  plots: "Med grafene over tid",
+  most_plots: (most) => `Med de første ${most} grafene over tid`,
+  caption: "Tekst under",
+  caption_help: "Tittelen på scenarioet og tiden er alltid med.",
+  camera: "Kameraet er det på siden.",
+  about: (frames, length_s, longest) =>
+    `${frames} ${frames === 1 ? "bilde" : "bilder"}, ${length_s} s film. Den lengste filmen i denne størrelsen varer ${longest}, fordi filen holdes i minnet.`,
+  minutes: (minutes) => `${minutes} minutter`,
+  make: "Lag filmen",
+  picture: (time) => `Bilde ved ${time} (PNG)`,
+  cancel: "Avbryt",
+  cancelled: "Avbrutt; det ble ikke laget noen fil.",
+  close: "Lukk",
+  opening: "Åpner kjøringen i en beregningsmotor til …",
+  frame: (done, of, left) => `Bilde ${done} av ${of}${left}`,
+  left: (seconds) => (seconds < 90 ? `, om lag ${seconds} s igjen` : `, om lag ${Math.round(seconds / 60)} min igjen`),
+  done: (file, megabytes) => `${file} er lagret, ${megabytes} MB.`,
+  failed: "Filen kunne ikke lages",
+  no_encoder:
+    "Denne nettleseren koder ingen film: den har ikke WebCodecs, eller siden kom over vanlig HTTP fra en annen maskin. Film lages av dagens Chrome, Edge, Firefox og Safari over HTTPS eller på maskinen som serverer appen, " +
+    "og av `kingpost film`. Bilder virker her.",
+  not_encoded: (format, width, height) => `Nettleseren koder ikke ${format} med ${width}x${height} piksler; tillatt: et annet format eller en mindre størrelse.`,
+  wrong_size: (found, least, most) => `Størrelse: fant ${found}, tillatt: bredde x høyde, ${least} til ${most} piksler hver, som 1280x720.`,
+  odd_size: (found) => `Størrelse: fant ${found}, tillatt: partall, som kodere trenger.`,
+  too_large: (width, height, most) => `Størrelse: grafikkortet kan ikke tegne ${width}x${height} piksler; tillatt: opptil ${most} hver, og mindre hvis minnet er fullt.`,
+  wrong_number: (name, found, least, most) => `${name}: fant ${found}, tillatt: ${least} til ${most}.`,
+  wrong_times: (from_s, to_s, end_s) => `Tider: fant ${from_s} til ${to_s} s, tillatt: en første og en senere siste tid innenfor opptaket, 0 til ${end_s} s.`,
+  too_long: (found_s, most_s, megabytes) =>
+    `Lengde: fant ${Math.ceil(found_s)} s film, tillatt: opptil ${most_s} s i denne størrelsen, som er om lag ${megabytes} MB. Høyere fart, færre bilder eller en mindre størrelse får den til å passe.`,
+  too_many_bytes: (megabytes) => `Filmen er større enn ${megabytes} MB. En kortere eller mindre film får plass.`,
+  not_reached: (time_s) => `Kjøringen når ikke ${time_s} s på nytt.`,
+  nothing_open: "Det er ikke åpnet noe scenario.",
+  no_graphics: "Denne nettleseren har ikke WebGL, så det er ikke noe bilde å lagre.",
+  no_picture: "Nettleseren laget ikke noe bilde.",
+  run_changed: "Kjøringen ble endret mens filmen ble laget.",
+};
