@@ -20,7 +20,7 @@ export class FilmDialog {
   private readonly about = make("p", { class: "muted", "data-testid": "film-about" });
   private readonly said = make("p", { class: "muted", role: "status", "data-testid": "film-said" });
   private readonly bar = make("progress", { hidden: true, "aria-labelledby": "film-title", "data-testid": "film-progress" });
-  private readonly film = button(words.make, "film-make", "button button-primary");
+  private readonly film = button(words.make, "film-make");
   private readonly picture = button("", "film-picture");
   private readonly cancel = button(words.cancel, "film-cancel");
   private readonly close = button(words.close, "film-close");
@@ -31,6 +31,7 @@ export class FilmDialog {
     const buttons = make("div", { class: "picker-buttons" }, this.close, this.cancel, this.picture, this.film);
     const form = make("form", {}, make("h2", { id: "film-title" }, words.title), this.fields.element, this.about, ...notes, this.bar, this.said, buttons);
     this.dialog.append(form);
+    this.film.classList.add("button-primary");
     form.addEventListener("submit", (event) => event.preventDefault());
     this.film.addEventListener("click", () => void this.during(() => this.makeFilm()));
     this.picture.addEventListener("click", () => void this.during(() => this.makePicture()));
@@ -117,6 +118,6 @@ export class FilmDialog {
   }
 }
 
-function button(label: string, testId: string, kind = "button"): HTMLButtonElement {
-  return make("button", { type: "button", class: kind, "data-testid": testId }, label);
+function button(label: string, testId: string): HTMLButtonElement {
+  return make("button", { type: "button", class: "button", "data-testid": testId }, label);
 }

@@ -14,7 +14,7 @@ export interface FilmedLines {
 }
 
 /** Sizes in pixels of 1280x720. */
-const PX = { text: 12, title: 14, row: 17, margin: 10, axis: 46, foot: 20, line: 2, dot: 4 };
+const PX = { text: 12, title: 14, row: 17, margin: 10, axis: 46, last: 24, foot: 20, line: 2, dot: 4 };
 /** Smallest range of an axis, in its unit. */
 const LEAST = 1e-6;
 /** Approximate distances of the marks of the axes, pixels of 1280x720. */
@@ -67,7 +67,7 @@ export class FilmedPlot {
     this.decimals = lines.map(({ shown }) => decimalsFor(shown, Math.max(0, ...this.rangeIn(shown.unit).map(Math.abs))));
     const [margin, axis] = [scale * PX.margin, scale * PX.axis];
     const head = margin + scale * (PX.title + 6 + PX.row * this.rows());
-    const right = this.axes.some(({ side }) => side === "right") ? axis : margin;
+    const right = this.axes.some(({ side }) => side === "right") ? axis : scale * PX.last;
     this.area = { left: axis, top: head, width: part.width - axis - right, height: Math.max(1, part.height - head - scale * PX.foot) };
     this.still = this.drawn();
   }
