@@ -1,6 +1,7 @@
 import "uplot/dist/uPlot.min.css";
 import { ForecastLine } from "./forecast/line";
 import { openForecast } from "./forecast/open";
+import { filmToken } from "./app/address";
 import { BackgroundEngine } from "./app/background_engine";
 import { isCalm } from "./app/calm";
 import { runClock } from "./app/clock";
@@ -126,6 +127,8 @@ function buildPage(session: Session, startClient: () => EngineClient, rest: Rest
   const scene = createScene(session, background);
   const studio = { session, background, scene, plots: () => plots.shown };
   const plots: Plots = new Plots(session, background, [exportTool(session, scene, () => plots.shown, filmOpener(studio))]);
+  const token = filmToken(location.hash);
+  if (token !== null) void import("./film/command").then(({ obeyCommand }) => obeyCommand(studio, token));
   new EquationsPanel(session, background, (what) => scene.highlight(what));
   const startSweep = () => new Worker(new URL("./physics/worker.ts", import.meta.url), { type: "module", name: language });
   const physics = new PhysicsPanel(session, background, new Periods(startSweep, galleryFolder(document.baseURI)));

@@ -36,7 +36,7 @@ const RATE = { bits_per_s: 8e6, pixels_per_s: 1280 * 720 * 30, exponent: 0.75 };
 /** Share of a frame by which a time may be late and still be the last one. */
 const SLACK = 1e-6;
 
-/** Reads a size such as `1280x720`; null if it is none. */
+/** Reads a size such as `1280x720`; null if the text is not a size. */
 export function sizeOf(text: string): Size | null {
   const found = /^\s*(\d{1,5})\s*[x×]\s*(\d{1,5})\s*$/i.exec(text);
   return found && { width: Number(found[1]), height: Number(found[2]) };
