@@ -20,8 +20,9 @@ export async function obeyCommand(studio: Studio, token: string): Promise<void> 
   const command = new Command(token);
   try {
     const order = await command.order();
+    await opened(studio);
+    if (!studio.scene.lookBy(order.camera)) throw { kind: "setting", message: words.no_camera(order.camera, studio.scene.cameras().join(", ")) };
     const end_s = await runTo(studio, order.to_s, (time_s) => command.tell("run", time_s, order.to_s));
-    if (!studio.scene.lookBy(order.camera)) throw { kind: "setting", message: words.no_camera(order.camera) };
     const isShort = end_s < order.to_s - studio.session.run!.model.step_s / 2;
     const choice = { ...order, to_s: Math.min(order.to_s, end_s) };
     const film = await makeFilm(studio, choice, (done, of) => command.tell("film", done, of), command.gone.signal);
@@ -33,13 +34,18 @@ export async function obeyCommand(studio: Studio, token: string): Promise<void> 
   }
 }
 
-/** Runs to a time as fast as possible; returns the time that was reached, s. */
-async function runTo({ session }: Studio, to_s: number, tell: (time_s: number) => void): Promise<number> {
-  const pause = () => new Promise((resolve) => setTimeout(resolve, LOOK_EVERY_MS));
+const pause = () => new Promise((resolve) => setTimeout(resolve, LOOK_EVERY_MS));
+
+/** Waits until the scenario is open. */
+async function opened({ session }: Studio): Promise<void> {
   while (!session.run || session.status === "loading" || session.isWaiting) {
     if (session.fault) throw session.fault;
     await pause();
   }
+}
+
+/** Runs to a time as fast as possible; returns the time that was reached, s. */
+async function runTo({ session }: Studio, to_s: number, tell: (time_s: number) => void): Promise<number> {
   session.runTo(to_s);
   while (session.isGoing || session.isWaiting) {
     tell(session.shown.recording!.now.time_s);

@@ -28,6 +28,8 @@ export interface Scene {
   picture(): HTMLCanvasElement | null;
   /** Returns the viewpoint as a text. */
   viewpoint(): string;
+  /** Returns the viewpoints that the model offers. */
+  cameras(): readonly string[];
   /** Shows a viewpoint by its text; returns false if the model does not offer it. */
   lookBy(text: string): boolean;
   /**
@@ -49,7 +51,7 @@ export function createScene(session: Session, background: BackgroundEngine): Sce
     const message = byId("scene-message");
     message.hidden = false;
     message.textContent = texts.picture.no_graphics;
-    return { draw: () => false, highlight() {}, foresee() {}, picture: () => null, viewpoint: () => "free", lookBy: () => false, stage: () => null };
+    return { draw: () => false, highlight() {}, foresee() {}, picture: () => null, viewpoint: () => "free", cameras: () => [], lookBy: () => false, stage: () => null };
   }
   showLosses(byId("canvas"), view);
   const watched = new Watched(session, background, view);
@@ -100,6 +102,7 @@ export function createScene(session: Session, background: BackgroundEngine): Sce
     foresee: (outlook) => (due = () => view.showCloud(outlook && session.run && swarmOf(outlook, session.run))),
     picture: () => view.picture(),
     viewpoint: () => view.viewpoint,
+    cameras: () => view.cameras(),
     lookBy: (text) => view.lookBy(text),
     stage(size) {
       const { run, shown } = session;

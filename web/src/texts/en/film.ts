@@ -39,7 +39,7 @@ export const film = {
     `Length: found ${Math.ceil(found_s)} s of film, allowed: up to ${most_s} s in this size, which is about ${megabytes} MB. A higher speed, fewer frames or a smaller size make it fit.`,
   too_many_bytes: (megabytes: number) => `The film is larger than ${megabytes} MB. A shorter or smaller one fits.`,
   not_reached: (time_s: number) => `The run does not reach ${time_s} s again.`,
-  no_camera: (found: string) => `Camera: found ${found}, allowed: one that the app offers for this scenario, or six numbers.`,
+  no_camera: (found: string, offered: string) => `Camera: found ${found}, allowed in this scenario: ${offered}, or six numbers.`,
   stopped: (time_s: number) => `The run stopped at ${time_s} s.`,
   nothing_open: "No scenario is open.",
   no_graphics: "This browser has no WebGL, so there is no picture to save.",

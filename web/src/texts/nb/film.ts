@@ -40,7 +40,7 @@ export const film: typeof english = {
     `Lengde: fant ${Math.ceil(found_s)} s film, tillatt: opptil ${most_s} s i denne størrelsen, som er om lag ${megabytes} MB. Høyere fart, færre bilder eller en mindre størrelse får den til å passe.`,
   too_many_bytes: (megabytes) => `Filmen er større enn ${megabytes} MB. En kortere eller mindre film får plass.`,
   not_reached: (time_s) => `Kjøringen når ikke ${time_s} s på nytt.`,
-  no_camera: (found) => `Kamera: fant ${found}, tillatt: et som appen tilbyr for dette scenarioet, eller seks tall.`,
+  no_camera: (found, offered) => `Kamera: fant ${found}, tillatt i dette scenarioet: ${offered}, eller seks tall.`,
   stopped: (time_s) => `Kjøringen stanset ved ${time_s} s.`,
   nothing_open: "Det er ikke åpnet noe scenario.",
   no_graphics: "Denne nettleseren har ikke WebGL, så det er ikke noe bilde å lagre.",
