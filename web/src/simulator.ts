@@ -139,6 +139,8 @@ function buildPage(session: Session, startClient: () => EngineClient, rest: Rest
     scene.foresee(forecast.outlook);
   });
   runClock(session, () => {
+    // A page that films for the command is not seen: it draws frames alone.
+    if (token !== null) return;
     const isNew = [scene.draw(), plots.draw()].includes(true);
     physics.draw();
     rest.frame(!isNew && !session.isGoing && !session.isWaiting && isCalm());

@@ -82,6 +82,7 @@ function staged<T>(studio: Studio, choice: PictureChoice, range_s: readonly [num
     const draw = (moment: Moment) => {
       if (session.run !== run || session.shown.recording !== recording) refuse(words.run_changed);
       sheet.draw(stage.draw(moment), moment);
+      if (stage.isLost) refuse(words.graphics_lost);
     };
     try {
       return await use(sheet, drawnBy(draw, momentsAt(client, session, times_s)));

@@ -31,6 +31,11 @@ export class Stage {
     return view.still(moment, moment.surface, moment.time_s);
   }
 
+  /** Whether the browser has dropped the graphics, so that the last picture may be empty. */
+  get isLost(): boolean {
+    return this.view.isLost;
+  }
+
   /** Returns the picture to the page. */
   end(): void {
     this.view.letGo();

@@ -317,6 +317,11 @@ export class View {
     return this.canvas;
   }
 
+  /** Whether the browser has dropped the graphics context, which then draws nothing. */
+  get isLost(): boolean {
+    return this.renderer.getContext().isContextLost();
+  }
+
   /** Returns to the size of the page. */
   letGo(): void {
     this.held = this.sea.drifted_s = null;

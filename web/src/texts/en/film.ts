@@ -43,6 +43,7 @@ export const film = {
   stopped: (time_s: number) => `The run stopped at ${time_s} s.`,
   nothing_open: "No scenario is open.",
   no_graphics: "This browser has no WebGL, so there is no picture to save.",
+  graphics_lost: "The browser dropped the graphics. A smaller size needs less memory.",
   no_picture: "The browser made no picture.",
   run_changed: "The run was changed while its film was made.",
 };

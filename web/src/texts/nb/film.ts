@@ -44,6 +44,7 @@ export const film: typeof english = {
   stopped: (time_s) => `Kjøringen stanset ved ${time_s} s.`,
   nothing_open: "Det er ikke åpnet noe scenario.",
   no_graphics: "Denne nettleseren har ikke WebGL, så det er ikke noe bilde å lagre.",
+  graphics_lost: "Nettleseren mistet grafikken. En mindre størrelse trenger mindre minne.",
   no_picture: "Nettleseren laget ikke noe bilde.",
   run_changed: "Kjøringen ble endret mens filmen ble laget.",
 };
