@@ -27,7 +27,7 @@ const WIDE = 1.1;
 const LEAST_PLOT = 130;
 /** Heights in the caption, pixels of 1280x720. */
 export const CAPTION = { margin: 12, title: 26, row: 22 };
-const SMALLEST_SCALE = 0.4;
+const SMALLEST_SCALE = 0.7;
 
 /** Divides a picture; `rows` is the number of rows of the user's text. */
 export function layoutOf({ width, height }: Size, plots: number, rows: number): Layout {
