@@ -84,10 +84,18 @@ def notices(parts: list[Part]) -> str:
             # Texts that differ only in spaces appear once.
             texts.setdefault(" ".join(text.split()), text)
             of_text[" ".join(text.split())].append(name)
-    lines = [HEAD, *(f"  {name} ({terms})" for name, terms, _ in parts)]
+    lines = [HEAD, *(f"  {name} ({terms}){_source(terms, folder)}" for name, terms, folder in parts)]
     for key, names in sorted(of_text.items(), key=lambda item: item[1]):
         lines += ["", "=" * 100, ", ".join(dict.fromkeys(names)), "", texts[key]]
     return "\n".join(lines) + "\n"
+
+
+def _source(terms: str, folder: Path) -> str:
+    """Name the place of the source of a package whose licence asks for it; empty for others."""
+    if "MPL" not in terms:
+        return ""
+    url = json.loads((folder / "package.json").read_text(encoding="utf-8"))["repository"]["url"]
+    return f", unchanged; source: {url.removeprefix('git+').removesuffix('.git')}"
 
 
 if __name__ == "__main__":

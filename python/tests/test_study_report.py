@@ -14,7 +14,7 @@ import kingpost
 import numpy as np
 import pytest
 import xarray
-from kingpost import link
+from kingpost import browser, link
 from kingpost.cli import main
 from kingpost.study.limiting import runs as limiting_runs
 from kingpost.study.screening.cases import of_plan
@@ -186,7 +186,8 @@ def test_the_report_is_accessible_in_a_browser_without_a_network(
     made: tuple[Study, Path, str], size: tuple[str, str]
 ) -> None:
     """Source: axe-core's rules, and that no table is cut on A4."""
-    if pdf.find_browser() is None or shutil.which("node") is None or not (ROOT / "web/node_modules").is_dir():
+    has_node = shutil.which("node") is not None and (ROOT / "web/node_modules").is_dir()
+    if browser.find_browser() is None or not has_node:
         pytest.skip("no browser, or no Node, on this machine")
     command = ["node", str(CHECK), str(made[1] / "report.html"), *size]
     done = subprocess.run(command, capture_output=True, text=True, timeout=300, check=False)
@@ -196,8 +197,8 @@ def test_the_report_is_accessible_in_a_browser_without_a_network(
 def test_a_pdf_without_a_browser_is_refused_before_the_runs(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.delenv(pdf.VARIABLE, raising=False)
-    monkeypatch.setattr(pdf, "BROWSERS", ())
+    monkeypatch.delenv(browser.VARIABLE, raising=False)
+    monkeypatch.setattr(browser, "BROWSERS", ())
     file = tmp_path / "study.yaml"
     limit = "{roll: {column: ship.roll, within: 5, unit: deg}}"
     file.write_text(f"version: 1\ntitle: Roll\nscenario: barge\nlimits: {limit}\n", encoding="utf-8")
@@ -208,7 +209,7 @@ def test_a_pdf_without_a_browser_is_refused_before_the_runs(
 
 @pytest.mark.thorough
 def test_the_report_prints_to_pdf(made: tuple[Study, Path, str]) -> None:
-    if pdf.find_browser() is None:
+    if browser.find_browser() is None:
         pytest.skip("no browser on this machine")
     path = pdf.write(made[1] / "report.html", made[1] / "report.pdf")
     assert path.read_bytes().startswith(b"%PDF-")

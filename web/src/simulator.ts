@@ -1,6 +1,7 @@
 import "uplot/dist/uPlot.min.css";
 import { ForecastLine } from "./forecast/line";
 import { openForecast } from "./forecast/open";
+import { filmToken } from "./app/address";
 import { BackgroundEngine } from "./app/background_engine";
 import { isCalm } from "./app/calm";
 import { runClock } from "./app/clock";
@@ -15,6 +16,8 @@ import { asFault } from "./engine/engine";
 import type { Fault } from "./engine/engine";
 import { EquationsPanel } from "./equations/equations";
 import { exportTool } from "./export/dialog";
+import type { FilmDialog } from "./film/dialog";
+import type { Studio } from "./film/film";
 import { Instruments } from "./instruments/instruments";
 import { Levers } from "./levers/levers";
 import { Periods } from "./physics/periods";
@@ -90,6 +93,18 @@ export function startSimulator(gallery: Promise<Gallery>): Simulator {
   };
 }
 
+/** Returns a function that opens the dialog for films, which is loaded then. */
+function filmOpener(studio: Studio): () => Promise<void> {
+  let dialog: Promise<FilmDialog> | null = null;
+  return async () => {
+    dialog ??= import("./film/dialog").then(({ FilmDialog }) => new FilmDialog(studio));
+    (await dialog.catch((thrown: unknown) => {
+      dialog = null;
+      throw thrown;
+    })).open();
+  };
+}
+
 function buildPage(session: Session, startClient: () => EngineClient, rest: Rest): void {
   showFaults(session);
   showModelWarnings(session);
@@ -110,7 +125,10 @@ function buildPage(session: Session, startClient: () => EngineClient, rest: Rest
   new Scrubber(session);
   announce(session);
   const scene = createScene(session, background);
-  const plots: Plots = new Plots(session, background, [exportTool(session, scene, () => plots.shown)]);
+  const studio = { session, background, scene, plots: () => plots.shown };
+  const plots: Plots = new Plots(session, background, [exportTool(session, scene, () => plots.shown, filmOpener(studio))]);
+  const token = filmToken(location.hash);
+  if (token !== null) void import("./film/command").then(({ obeyCommand }) => obeyCommand(studio, token));
   new EquationsPanel(session, background, (what) => scene.highlight(what));
   const startSweep = () => new Worker(new URL("./physics/worker.ts", import.meta.url), { type: "module", name: language });
   const physics = new PhysicsPanel(session, background, new Periods(startSweep, galleryFolder(document.baseURI)));
@@ -121,6 +139,8 @@ function buildPage(session: Session, startClient: () => EngineClient, rest: Rest
     scene.foresee(forecast.outlook);
   });
   runClock(session, () => {
+    // A page that films for the command is not seen: it draws frames alone.
+    if (token !== null) return;
     const isNew = [scene.draw(), plots.draw()].includes(true);
     physics.draw();
     rest.frame(!isNew && !session.isGoing && !session.isWaiting && isCalm());

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { askedBy, asksForStart, queryOf, unknownIn } from "../src/app/address";
+import { askedBy, asksForStart, filmToken, queryOf, unknownIn } from "../src/app/address";
 
 describe("addresses", () => {
   it("reads a scenario and its parameters from an address as booleans, numbers or texts", () => {
@@ -37,4 +37,10 @@ describe("addresses", () => {
     expect(asksForStart({ search: "?gallery", hash: "" }, "mine")).toBe(true);
     expect(asksForStart({ search: "?scenario=paper", hash: "" }, undefined)).toBe(false);
   });
+});
+
+it("the token of a film is read after the #, and only if it has the signs of one", () => {
+  expect(filmToken("#film=aB3-_x")).toBe("aB3-_x");
+  expect(["", "#quality=best", "#film=", "#film=../order", "#film=a/b"].map(filmToken)).toEqual([null, null, null, null, null]);
+  expect(unknownIn("#film=aB3-_x")).toBeNull();
 });

@@ -5,6 +5,7 @@ from __future__ import annotations
 import socket
 import sys
 import threading
+from collections.abc import Callable, Iterable
 
 from waitress import wasyncore
 from waitress.server import create_server
@@ -25,6 +26,17 @@ LARGEST_REQUEST = 2**16
 class Server:
     """Server of the app on a port; a busy port is an error on every operating system.
 
+    Parameters
+    ----------
+    address
+        Host and port.
+    application
+        The application.
+    answers
+        Application in front of it that answers, instead.
+    largest_request
+        Largest body of a request, bytes.
+
     Attributes
     ----------
     application, server_port
@@ -36,17 +48,23 @@ class Server:
         If the port is not available, or is not a valid port.
     """
 
-    def __init__(self, address: tuple[str, int], application: Application) -> None:
+    def __init__(
+        self,
+        address: tuple[str, int],
+        application: Application,
+        answers: Callable[..., Iterable[bytes]] | None = None,
+        largest_request: int = LARGEST_REQUEST,
+    ) -> None:
         self.application = application
         self.host = address[0]
         self._ends = threading.Event()
         self._waitress = create_server(
-            application,
+            answers or application,
             sockets=[_bound(*address)],
             threads=THREADS,
             connection_limit=CONNECTIONS,
             channel_timeout=IDLE_S,
-            max_request_body_size=LARGEST_REQUEST,
+            max_request_body_size=largest_request,
             ident=None,
             log_socket_errors=False,
         )

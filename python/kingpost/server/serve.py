@@ -143,14 +143,11 @@ def open_server(
     KingpostError
         If the port is busy or not allowed, or the host is not an address of this machine.
     """
-    databases = databases or {}
-    pages = {f"/scenarios/{file}": text.encode() for file, text in (files | databases).items()}
-    pages["/offline.js"] = _leaving(folder)
-    pages["/scenarios/index.json"] = json.dumps(index(files, databases, chosen)).encode()
+    served = pages(folder, files, databases or {}, chosen)
     ports = range(FIRST_PORT, FIRST_PORT + PORTS_TRIED) if port is None else [port]
     for candidate in ports:
         try:
-            return Server((host, candidate), Application(folder, pages, host, framed_by))
+            return Server((host, candidate), Application(folder, served, host, framed_by))
         except (TypeError, UnicodeError):
             found = shortened(repr(host))
             raise KingpostError(f"--host: found {found}, allowed: an address of this machine") from None
@@ -162,6 +159,16 @@ def open_server(
     if port is None:
         raise KingpostError(f"no free port from {ports[0]} to {ports[-1]}; give one with --port")
     raise KingpostError(f"port {port} is busy; choose another, or --port 0 for any free one")
+
+
+def pages(
+    folder: Path, files: dict[str, str], databases: dict[str, str], chosen: str | None = None
+) -> dict[str, bytes]:
+    """Contents by URL path that a server of the app's folder has in memory: scenarios and what they name."""
+    found = {f"/scenarios/{file}": text.encode() for file, text in (files | databases).items()}
+    found["/offline.js"] = _leaving(folder)
+    found["/scenarios/index.json"] = json.dumps(index(files, databases, chosen)).encode()
+    return found
 
 
 def _leaving(folder: Path) -> bytes:

@@ -2,35 +2,15 @@
 
 from __future__ import annotations
 
-import os
-import shutil
 import subprocess
 import tempfile
 from pathlib import Path
 
-from .. import output
+from .. import browser, output
 from ..errors import KingpostError
 
-BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome", "msedge")
-VARIABLE = "CHROMIUM"
-"""Environment variable that names another browser."""
 TIME_LIMIT_S = 120.0
-OPTIONS = (
-    "--headless",
-    "--disable-gpu",
-    "--disable-quic",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-    "--no-pdf-header-footer",
-)
-
-
-def find_browser() -> str | None:
-    """Find the first browser of Chromium's family on this machine; None if there is none."""
-    given = os.environ.get(VARIABLE)
-    return given or next((found for name in BROWSERS if (found := shutil.which(name))), None)
+OPTIONS = ("--disable-gpu", "--no-pdf-header-footer")
 
 
 def needed_browser() -> str:
@@ -41,13 +21,12 @@ def needed_browser() -> str:
     KingpostError
         If there is none.
     """
-    browser = find_browser()
-    if browser is None:
+    found = browser.find_browser()
+    if found is None:
         raise KingpostError(
-            f"PDF: found no browser, allowed: Chromium, Chrome or Edge on the path, or named by {VARIABLE}; "
-            "the HTML file prints from any browser"
+            f"PDF: found no browser, allowed: {browser.ALLOWED}; the HTML file prints from any browser"
         )
-    return browser
+    return found
 
 
 def write(page: str | Path, path: str | Path) -> Path:
@@ -70,17 +49,15 @@ def write(page: str | Path, path: str | Path) -> Path:
     KingpostError
         If there is no browser, or it writes no file.
     """
-    browser = needed_browser()
-    # Chromium refuses its sandbox to root, as in a container.
-    is_root = hasattr(os, "geteuid") and os.geteuid() == 0
+    program = needed_browser()
     with output.whole(path) as beside, tempfile.TemporaryDirectory() as profile:
-        command = [browser, *OPTIONS, *(["--no-sandbox"] if is_root else []), f"--user-data-dir={profile}",
+        command = [program, *browser.options(), *OPTIONS, f"--user-data-dir={profile}",
                    f"--print-to-pdf={beside}", Path(page).resolve().as_uri()]  # fmt: skip
         try:
             done = subprocess.run(command, capture_output=True, timeout=TIME_LIMIT_S, check=False)
         except (OSError, subprocess.TimeoutExpired) as error:
-            raise KingpostError(f"PDF: {browser}: {error}") from None
+            raise KingpostError(f"PDF: {program}: {error}") from None
         if done.returncode or not beside.stat().st_size:
             lines = done.stderr.decode(errors="replace").strip().splitlines() or ["no message"]
-            raise KingpostError(f"PDF: {browser} ended with {done.returncode}: {lines[-1]}")
+            raise KingpostError(f"PDF: {program} ended with {done.returncode}: {lines[-1]}")
     return Path(path)

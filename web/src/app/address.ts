@@ -14,8 +14,16 @@ export function holdsRun(hash: string): boolean {
   return RUN.test(hash);
 }
 
+/** Key of the token with which `kingpost film` asks for a film. */
+const FILM = "film";
 /** Keys of other parts after the `#`. */
-const OTHERS = ["quality"];
+const OTHERS = ["quality", FILM];
+
+/** Returns the token of `kingpost film`; null in all other addresses. */
+export function filmToken(hash: string): string | null {
+  const token = new URLSearchParams(hash.slice(1)).get(FILM);
+  return token !== null && /^[\w-]+$/.test(token) ? token : null;
+}
 
 /** Returns the first key after the `#` that this app cannot read; null if there is none. */
 export function unknownIn(hash: string): string | null {

@@ -58,6 +58,16 @@ export class BackgroundEngine {
     });
   }
 
+  /** Hands this engine to a task, which opens in it what it needs; other requests wait until the task has ended. */
+  lend<T>(task: (client: EngineClient) => Promise<T>): Promise<T> {
+    const result = this.turn.then(() => {
+      this.held = null;
+      return task((this.client ??= this.startClient()));
+    });
+    this.turn = result.catch(() => undefined);
+    return result;
+  }
+
   /**
    * Brings this engine to an earlier moment; the parameters at that moment may differ from those with which the
    * scenario was opened.

@@ -30,6 +30,8 @@ export class ExportDialog {
     private readonly session: Session,
     private readonly scene: Scene,
     private readonly plots: () => readonly Plot[],
+    /** Opens the dialog for films and pictures of any size. */
+    private readonly openFilm: () => Promise<void>,
   ) {
     this.files = new RunFiles(session);
     const close = make("button", { class: "button button-primary", "data-testid": "export-close" }, texts.exports.close);
@@ -45,6 +47,7 @@ export class ExportDialog {
     this.body.replaceChildren(
       this.group(texts.exports.recording, this.recording(), this.rows()),
       this.group(texts.exports.pictures, this.pictures()),
+      this.group(texts.exports.film, [], "", this.filmButton()),
       this.group(texts.exports.scenario, [{ name: texts.exports.save, help: texts.exports.save_help, testId: "export-scenario", make: () => saveScenario(this.session) }]),
     );
     this.dialog.showModal();
@@ -95,9 +98,18 @@ export class ExportDialog {
     return content && { name: `${this.files.stem}-${words}.png`, content };
   }
 
-  private group(title: string, choices: readonly Choice[], about = ""): HTMLElement {
+  private filmButton(): HTMLElement {
+    const button = make("button", { type: "button", class: "button export-choice", "aria-haspopup": "dialog", "data-testid": "export-film" }, make("span", {}, texts.exports.open_film), make("span", { class: "muted" }, texts.exports.film_help));
+    button.addEventListener("click", () => {
+      this.dialog.close();
+      this.openFilm().catch((thrown: unknown) => this.session.report({ kind: "file", message: `${texts.exports.failed}: ${String(thrown)}` }));
+    });
+    return button;
+  }
+
+  private group(title: string, choices: readonly Choice[], about = "", ...more: HTMLElement[]): HTMLElement {
     const notes = about ? [make("p", { class: "muted", "data-testid": "export-rows" }, about)] : [];
-    return make("section", {}, make("h3", {}, title), ...notes, ...choices.map((choice) => this.button(choice)));
+    return make("section", {}, make("h3", {}, title), ...notes, ...choices.map((choice) => this.button(choice)), ...more);
   }
 
   private button(choice: Choice): HTMLElement {
@@ -123,7 +135,7 @@ export class ExportDialog {
 }
 
 /** Returns the button that opens the dialog. */
-export function exportTool(session: Session, scene: Scene, plots: () => readonly Plot[]): HTMLElement {
-  const dialog = new ExportDialog(session, scene, plots);
+export function exportTool(session: Session, scene: Scene, plots: () => readonly Plot[], openFilm: () => Promise<void>): HTMLElement {
+  const dialog = new ExportDialog(session, scene, plots, openFilm);
   return tool(texts.exports.open, texts.exports.open, "export", "M10 13V3M6 7l4-4 4 4M3.5 12v4.5h13V12", () => dialog.open());
 }

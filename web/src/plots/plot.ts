@@ -116,6 +116,10 @@ export class Plot {
     return this.name;
   }
 
+  get drawn(): readonly DrawnLine[] {
+    return this.lines;
+  }
+
   private titleOf(title: string, labels: readonly string[]): string {
     const { kind } = this.view;
     if (kind === "time") return title;

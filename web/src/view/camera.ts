@@ -50,6 +50,8 @@ export class Eye {
   private room: Area = { left: 0, top: 0, right: 1, bottom: 1 };
   /** Whether the user has turned or zoomed the view, which then stays until the next fit. */
   isTaken = false;
+  /** Place of the eye in a picture of a fixed size; null on the page. */
+  private held: Place | null = null;
 
   constructor(
     canvas: HTMLCanvasElement,
@@ -151,6 +153,43 @@ export class Eye {
     this.orbit.target.add(shift);
   }
 
+  /**
+   * Prepares pictures of a fixed size: a view that the user has taken stays, any other one fits the ship as she is at
+   * `start`. Pictures then depend on their own moment alone.
+   */
+  hold(width: number, height: number, start: ArrayLike<number>): void {
+    this.stopSwinging();
+    this.orbit.enableDamping = false;
+    this.orbit.maxPolarAngle = LOWEST;
+    if (!this.isTaken) this.follow(start);
+    this.resize(width, height);
+    this.held = this.place;
+  }
+
+  /** Shows the held view of a moment. */
+  stand(poses: ArrayLike<number>): void {
+    this.poses = poses;
+    this.root = this.rootOf(poses);
+    if (this.outlook.isTaken) return this.outlook.place(poses);
+    this.orbit.maxPolarAngle = LOWEST;
+    this.put(this.held!);
+    if (!this.isTaken) this.stepBack(1);
+    this.orbit.update();
+  }
+
+  /** Returns to the page, with the view that was held. */
+  letGo(): void {
+    if (this.held && !this.outlook.isTaken) this.put(this.held);
+    this.held = null;
+    this.orbit.enableDamping = !this.isCalm.matches;
+  }
+
+  private put({ eye, target }: Place): void {
+    const root = new Vector3(...this.root);
+    this.orbit.target.set(...target).add(root);
+    this.camera.position.set(...eye).add(root);
+  }
+
   resize(width: number, height: number): void {
     [this.width, this.height] = [width, height];
     this.camera.aspect = width / height;
@@ -204,10 +243,8 @@ export class Eye {
 
   set place({ eye, target }: Place) {
     this.isTaken = true;
-    const root = new Vector3(...this.root);
     this.stopSwinging();
-    this.orbit.target.set(...target).add(root);
-    this.camera.position.set(...eye).add(root);
+    this.put({ eye, target });
     this.orbit.update();
     this.moved();
   }

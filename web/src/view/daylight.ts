@@ -13,6 +13,8 @@ const LIGHT = {
 };
 /** Range of the shadows, relative to the size of the objects. */
 const REACH = 1.1;
+/** Height of the eye that sees the sky as a light, relative to the distance of the haze. */
+const EYE = 0.02;
 
 /** The sky, the sun with its shadows, and the ambient light. */
 export class Daylight extends Group {
@@ -81,16 +83,19 @@ export class Daylight extends Group {
     this.sun.shadow.normalBias = (2.5 * REACH * size) / mapSize.x;
   }
 
-  /** Renders the sky as a light from all directions. */
+  /** Renders the sky over level water as a light from all directions, which does not depend on the present picture. */
   private rendered(): WebGLRenderTarget {
+    const { air } = this;
     const generator = new PMREMGenerator(this.renderer);
     const room = new Scene();
     const dome = new Mesh(this.sky.geometry, this.sky.material);
     dome.frustumCulled = false;
-    const under = this.air.underWater.value;
-    this.air.underWater.value = false;
+    const [under, ripples, far] = [air.underWater.value, air.rippleSlope.value, air.farSlope.value];
+    air.underWater.value = false;
+    air.rippleSlope.value = air.farSlope.value = 0;
+    this.sky.lookFrom(0, 0, EYE * air.visibility_m.value);
     const target = generator.fromScene(room.add(dome), 0.02, 0.1, 10, { size: 128 });
-    this.air.underWater.value = under;
+    [air.underWater.value, air.rippleSlope.value, air.farSlope.value] = [under, ripples, far];
     generator.dispose();
     return target;
   }

@@ -87,6 +87,8 @@ export class Quality {
 /** Sets the level of detail of a renderer from the times between consecutive frames. */
 export class Drawing {
   private last_ms = 0;
+  /** Whether the best level is used, whatever the machine: saved pictures are equal on every machine. */
+  isSaved = false;
 
   constructor(
     private readonly quality: Quality,
@@ -109,7 +111,7 @@ export class Drawing {
   }
 
   get tier(): Tier {
-    return this.quality.tier;
+    return this.isSaved ? TIERS[0] : this.quality.tier;
   }
 
   /** Takes the time of a drawn picture; returns whether the level has changed. */

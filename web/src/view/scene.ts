@@ -10,6 +10,8 @@ import type { Highlight } from "../equations/highlight";
 import { texts } from "../texts";
 import { byId, setText } from "../ui/dom";
 import { Watched } from "./overlays/watched";
+import type { Size } from "./size";
+import { Stage } from "./stage";
 import { Tensions } from "./tension";
 import { TensionLegend } from "./tension_legend";
 import { Tools } from "./tools";
@@ -26,6 +28,15 @@ export interface Scene {
   picture(): HTMLCanvasElement | null;
   /** Returns the viewpoint as a text. */
   viewpoint(): string;
+  /** Returns the viewpoints that the model offers. */
+  cameras(): readonly string[];
+  /** Shows a viewpoint by its text; returns false if the model does not offer it. */
+  lookBy(text: string): boolean;
+  /**
+   * Leaves the picture to a stage of a fixed size, until the stage ends; null without WebGL, or if nothing is open. Throws
+   * a TooLargeError if the graphics card cannot draw the size.
+   */
+  stage(size: Size): Stage | null;
 }
 
 /**
@@ -40,7 +51,7 @@ export function createScene(session: Session, background: BackgroundEngine): Sce
     const message = byId("scene-message");
     message.hidden = false;
     message.textContent = texts.picture.no_graphics;
-    return { draw: () => false, highlight() {}, foresee() {}, picture: () => null, viewpoint: () => "free" };
+    return { draw: () => false, highlight() {}, foresee() {}, picture: () => null, viewpoint: () => "free", cameras: () => [], lookBy: () => false, stage: () => null };
   }
   showLosses(byId("canvas"), view);
   const watched = new Watched(session, background, view);
@@ -66,8 +77,10 @@ export function createScene(session: Session, background: BackgroundEngine): Sce
   let drawn: unknown = null;
   /** Update of the futures for the next picture: futures arrive faster than pictures are drawn. */
   let due: (() => void) | null = null;
+  let isStaged = false;
   return {
     draw() {
+      if (isStaged) return false;
       const { recording } = session.shown;
       const moment = recording && recording.at(timeOfPicture());
       // An unchanged picture is not drawn again; during playback every moment has other poses.
@@ -89,6 +102,18 @@ export function createScene(session: Session, background: BackgroundEngine): Sce
     foresee: (outlook) => (due = () => view.showCloud(outlook && session.run && swarmOf(outlook, session.run))),
     picture: () => view.picture(),
     viewpoint: () => view.viewpoint,
+    cameras: () => view.cameras(),
+    lookBy: (text) => view.lookBy(text),
+    stage(size) {
+      const { run, shown } = session;
+      if (!run || !shown.recording) return null;
+      const stage = new Stage(view, watched, run, shown.recording, size, () => {
+        isStaged = false;
+        drawn = null;
+      });
+      isStaged = true;
+      return stage;
+    },
   };
 }
 

@@ -116,6 +116,8 @@ export class Sea extends Mesh<BufferGeometry, ShaderMaterial> {
   private isFine = true;
   private shares: Float32Array<ArrayBuffer> = new Float32Array();
   private last_ms = 0;
+  /** Time to which the ripples have drifted, s; null if they drift with the clock. */
+  drifted_s: number | null = null;
 
   constructor(private readonly air: Air) {
     const material = new ShaderMaterial({
@@ -200,15 +202,20 @@ export class Sea extends Mesh<BufferGeometry, ShaderMaterial> {
     let highest = 0.01 * length_m;
     for (const height of height_m) if (height > highest) highest = height;
     uniforms.crestHeight_m.value = highest;
-    if (rough > 0 && !this.calm.matches) this.driftOn();
+    if (this.drifted_s !== null) this.drift(this.drifted_s);
+    else if (rough > 0 && !this.calm.matches) this.driftOn();
   }
 
   private driftOn(): void {
     const now_ms = performance.now();
     const passed_s = Math.min((now_ms - this.last_ms) / 1000, LONGEST_FRAME_S);
     this.last_ms = now_ms;
-    const { value } = this.air.drift;
-    value.set((value.x + DRIFT_PER_S * passed_s) % 1000, (value.y + 0.6 * DRIFT_PER_S * passed_s) % 1000);
+    this.drift(passed_s, this.air.drift.value);
+  }
+
+  /** Sets the ripples to where they are after a time, from a beginning. */
+  private drift(passed_s: number, { x, y } = { x: 0, y: 0 }): void {
+    this.air.drift.value.set((x + DRIFT_PER_S * passed_s) % 1000, (y + 0.6 * DRIFT_PER_S * passed_s) % 1000);
   }
 
   /** Allocates the mesh for a new number of lines along each axis. */

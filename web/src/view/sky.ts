@@ -65,7 +65,11 @@ export class Sky extends Mesh<SphereGeometry, ShaderMaterial> {
     this.frustumCulled = false;
     // The background is drawn after the opaque objects, so that only the remaining pixels are painted.
     this.renderOrder = 1;
-    this.onBeforeRender = (_renderer, _scene, { matrixWorld }) => this.eye.set(matrixWorld.elements.slice(12, 15));
+    this.onBeforeRender = (_renderer, _scene, { matrixWorld }) => this.lookFrom(...(matrixWorld.elements.slice(12, 15) as [number, number, number]));
+  }
+
+  lookFrom(...eye: [x: number, y: number, z: number]): void {
+    this.eye.set(eye);
   }
 
   paint(palette: Palette): void {

@@ -38,10 +38,15 @@ export class Tensions {
 
   /** Reads a row: updates the largest tensions, and returns the tension at the drawn points of each line. */
   read(row: ArrayLike<number>): Tints[] {
+    for (const line of this.taut) for (const column of line.columns) if (row[column] > line.largest) line.largest = row[column];
+    return this.tints(row);
+  }
+
+  /** Returns the tension at the drawn points of each line, as a share of the largest that was read. */
+  tints(row: ArrayLike<number>): Tints[] {
     return this.taut.map((line) => {
-      for (const column of line.columns) if (row[column] > line.largest) line.largest = row[column];
       const shares = new Float32Array(line.points);
-      for (let i = 0; i < line.points; i++) shares[i] = line.largest > 0 ? tensionAt(line, i / (line.points - 1), row) / line.largest : 0;
+      for (let i = 0; i < line.points; i++) shares[i] = line.largest > 0 ? Math.min(1, tensionAt(line, i / (line.points - 1), row) / line.largest) : 0;
       return { at: line.at, shares };
     });
   }

@@ -22,6 +22,8 @@ import { readPalette } from "./palette";
 import type { Palette } from "./palette";
 import { Drawing } from "./quality";
 import { Sea } from "./sea";
+import { largestOf, TooLargeError } from "./size";
+import type { Size } from "./size";
 import { Seabed } from "./seabed";
 import { Section } from "./section";
 import { withFrame } from "./solids";
@@ -76,6 +78,8 @@ export class View {
   private highlighted: Highlight | null = null;
   private framesShown = false;
   private stale = true;
+  /** Size of the pictures that are saved, pixels; null on the page. */
+  private held: Size | null = null;
 
   /** Throws if the browser has no WebGL. */
   constructor(private readonly canvas: HTMLCanvasElement) {
@@ -85,7 +89,7 @@ export class View {
     this.renderer.shadowMap.autoUpdate = false;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.localClippingEnabled = true;
-    this.eye = new Eye(canvas, () => (this.stale = true), () => coversOf(canvas), () => this.fit());
+    this.eye = new Eye(canvas, () => (this.stale = true), () => (this.held ? [] : coversOf(canvas)), () => this.fit());
     this.daylight = new Daylight(this.renderer, this.air);
     this.drawing = Drawing.of(this.renderer);
     this.scene.add(this.ground, this.sea, this.daylight, this.fleet.world, this.seabed, this.target, this.section, this.marks.group, this.overlays, this.cloud);
@@ -262,7 +266,7 @@ export class View {
   /** Draws the picture if something has changed; returns whether it was drawn. */
   draw(): boolean {
     this.eye.update(performance.now());
-    this.eye.stayAbove(this.mayDive || !this.sea.visible ? null : (x, y) => this.sea.heightAt(x, y));
+    this.eye.stayAbove(this.waterUnderEye());
     if (!this.stale) {
       this.drawing.rest();
       return false;
@@ -279,6 +283,61 @@ export class View {
     this.stale = true;
     this.draw();
     return this.canvas;
+  }
+
+  /**
+   * Prepares pictures of a fixed size and of the best level of detail, whatever the page, the clock and the machine, until
+   * `letGo`. Throws a TooLargeError if the graphics card cannot draw the size.
+   */
+  hold(size: Size): void {
+    const { canvas, eye, renderer } = this;
+    const most = largestOf(renderer);
+    this.held = size;
+    this.drawing.isSaved = true;
+    renderer.setPixelRatio(1);
+    if (Math.max(size.width, size.height) <= most) renderer.setSize(size.width, size.height, false);
+    const { drawingBufferWidth, drawingBufferHeight } = renderer.getContext();
+    if (canvas.width !== size.width || drawingBufferWidth !== size.width || drawingBufferHeight !== size.height) {
+      this.letGo();
+      throw new TooLargeError(size, most);
+    }
+    eye.hold(size.width, size.height, this.start.poses);
+    this.overlays.hold(true);
+    this.detail();
+    if (this.framesShown && this.run) this.build(this.run, this.frame, false);
+  }
+
+  /** Draws a moment in the held size; the pixels depend on the moment alone. Copy the picture at once. */
+  still(frame: Pose, surface: Surface | null, time_s: number): HTMLCanvasElement {
+    this.sea.drifted_s = time_s;
+    this.showSea(surface);
+    this.frame = frame;
+    this.eye.stand(frame.poses);
+    this.place(frame);
+    this.eye.stayAbove(this.waterUnderEye());
+    this.lookFrom(this.eye.camera.position);
+    this.renderer.render(this.scene, this.eye.camera);
+    return this.canvas;
+  }
+
+  /** Whether the browser has dropped the graphics context, which then draws nothing. */
+  get isLost(): boolean {
+    return this.renderer.getContext().isContextLost();
+  }
+
+  /** Returns to the size of the page. */
+  letGo(): void {
+    this.held = this.sea.drifted_s = null;
+    this.drawing.isSaved = false;
+    this.overlays.hold(false);
+    this.eye.letGo();
+    this.detail();
+    this.resize();
+  }
+
+  /** Returns the height of the water for the eye, which must stay above it; null if it need not. */
+  private waterUnderEye(): ((x: number, y: number) => number | null) | null {
+    return this.mayDive || !this.sea.visible ? null : (x, y) => this.sea.heightAt(x, y);
   }
 
   private place(frame: Pose): void {
@@ -305,7 +364,7 @@ export class View {
   }
 
   private addFrames(length: number): void {
-    const height = this.canvas.clientHeight || 1;
+    const height = (this.held?.height ?? this.canvas.clientHeight) || 1;
     const scale = labelScale(Math.min(LABEL_PX, 0.14 * height), height, this.eye.fov);
     this.fleet.bodies.forEach((body, i) => body.add(triadOf(length, `(${i + 1})`, scale, this.palette)));
     this.fleet.world.add(triadOf(1.7 * length, "I", scale, this.palette, 0.6));
@@ -340,12 +399,13 @@ export class View {
   }
 
   private pixelRatio(): number {
+    if (this.held) return 1;
     return Math.min(this.drawing.tier.pixelRatio, devicePixelRatio);
   }
 
   private resize(): void {
     const { clientWidth: width, clientHeight: height } = this.canvas.parentElement!;
-    if (width === 0 || height === 0) return;
+    if (width === 0 || height === 0 || this.held) return;
     this.renderer.setPixelRatio(this.pixelRatio());
     this.renderer.setSize(width, height, false);
     this.eye.resize(width, height);

@@ -6,6 +6,7 @@ import { findBrowser, launch } from "../../scripts/browser.mjs";
 import { serve } from "../../scripts/serve.mjs";
 import addresses from "./address.mjs";
 import figure from "./figure.mjs";
+import film from "./film.mjs";
 import forecast from "./forecast.mjs";
 import controls from "./controls.mjs";
 import faults from "./faults.mjs";
@@ -46,7 +47,7 @@ if (!existsSync(DIST)) {
 }
 
 const wanted = process.argv[2] ?? "";
-const SUITES = [start, scenarios, numbers, recording, controls, gestures, faults, layout, languages, addresses, losses, saving, sea, panels, physics, levers, picture, plots, sharing, figure, offline, forecast];
+const SUITES = [start, scenarios, numbers, recording, controls, gestures, faults, layout, languages, addresses, losses, saving, sea, panels, physics, levers, picture, plots, sharing, figure, film, offline, forecast];
 const tests = SUITES.flatMap((suite) => Object.entries(suite)).filter(([name]) => name.includes(wanted));
 // A path below the root, as on many static hosts.
 const { address, stop } = await serve(DIST, "/a/folder/");

@@ -1,3 +1,5 @@
+import type { Surface } from "../../engine/surface";
+
 /** Cosine between two quaternions above which they are interpolated along the chord instead of the arc. */
 const CLOSE = 1 - 1e-12;
 
@@ -26,4 +28,26 @@ function turn(poses: Float64Array, from: ArrayLike<number>, to: ArrayLike<number
   const a = isClose ? 1 - share : Math.sin((1 - share) * angle) / Math.sin(angle);
   const b = sign * (isClose ? share : Math.sin(share * angle) / Math.sin(angle));
   for (let k = at; k < at + 4; k++) poses[k] = a * from[k] + b * to[k];
+}
+
+/** Returns the share of the way between two times, from 0 to 1. */
+export function shareOf(from: { time_s: number }, to: { time_s: number }, time_s: number): number {
+  const length_s = to.time_s - from.time_s;
+  return length_s > 0 ? Math.min(1, Math.max(0, (time_s - from.time_s) / length_s)) : 0;
+}
+
+/** Data of one time with the sea's surface. */
+interface AtSea {
+  time_s: number;
+  surface: Surface | null;
+}
+
+/** Interpolates the sea's surface; if the grid has moved with the ship between the two times, returns the first. */
+export function surfaceBetween(from: AtSea, to: AtSea, time_s: number): Surface | null {
+  const share = shareOf(from, to, time_s);
+  const [a, b] = [from.surface, to.surface];
+  if (!a || !b || share === 0 || a.x_m[0] !== b.x_m[0] || a.y_m[0] !== b.y_m[0]) return a;
+  const elevation_m = new Float32Array(a.elevation_m.length);
+  for (let i = 0; i < elevation_m.length; i++) elevation_m[i] = a.elevation_m[i] + share * (b.elevation_m[i] - a.elevation_m[i]);
+  return { ...a, elevation_m };
 }

@@ -3,7 +3,7 @@ import type { Columns } from "../../engine/columns";
 import type { Values, Warning } from "../../engine/engine";
 import type { Frame, Happened, LeverMove, Snapshot } from "../../engine/messages";
 import type { Surface } from "../../engine/surface";
-import { between, posesBetween } from "./between";
+import { between, posesBetween, shareOf, surfaceBetween } from "./between";
 import { Noted } from "./noted";
 import { Series } from "./series";
 
@@ -215,19 +215,4 @@ export class Recording {
 /** Converts the surface to single precision, which is enough for a picture. */
 function inShort({ x_m, y_m, elevation_m }: Surface): Surface {
   return { x_m, y_m, elevation_m: Float32Array.from(elevation_m) };
-}
-
-function shareOf(from: { time_s: number }, to: { time_s: number }, time_s: number): number {
-  const length_s = to.time_s - from.time_s;
-  return length_s > 0 ? Math.min(1, Math.max(0, (time_s - from.time_s) / length_s)) : 0;
-}
-
-/** Interpolates the sea's surface; if the grid has moved with the ship between the two pictures, returns the first. */
-function surfaceBetween(from: PictureAtSea, to: PictureAtSea, time_s: number): Surface | null {
-  const share = shareOf(from, to, time_s);
-  const [a, b] = [from.surface, to.surface];
-  if (!a || !b || share === 0 || a.x_m[0] !== b.x_m[0] || a.y_m[0] !== b.y_m[0]) return a;
-  const elevation_m = new Float32Array(a.elevation_m.length);
-  for (let i = 0; i < elevation_m.length; i++) elevation_m[i] = a.elevation_m[i] + share * (b.elevation_m[i] - a.elevation_m[i]);
-  return { ...a, elevation_m };
 }

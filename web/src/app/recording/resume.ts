@@ -7,14 +7,14 @@ import type { Source } from "../run";
 import type { Keyframe, Recording } from "./recording";
 
 /**
- * Brings a new engine to the newest moment of a recording: opens the scenario with the changes of the run, restores the
- * last keyframe, and repeats the run from there to the same bits. `begun` are the values at the start of the run.
+ * Brings a new engine to a moment of a recording, the newest unless another one is given: opens the scenario with the
+ * changes of the run, restores the last keyframe, and repeats the run from there to the same bits. `begun` are the values
+ * at the start of the run.
  */
-export async function resume(client: EngineClient, recording: Recording, source: Source, begun: Values): Promise<Restored> {
-  const { time_s } = recording.now;
+export async function resume(client: EngineClient, recording: Recording, source: Source, begun: Values, time_s = recording.now.time_s): Promise<Restored> {
   const keyframe = recording.keyframeAt(time_s);
   if (!keyframe) throw { kind: "setting", message: texts.faults.no_state };
-  await client.open(source.text, source.file, valuesAt(keyframe, recording, begun), source.opened ?? null, changesOf(recording, source));
+  await client.open(source.text, source.file, valuesAt(keyframe, recording, begun), source.opened ?? null, changesOf(recording, source), source.folder);
   const { bytes, isChange } = keyframe;
   const restored = await client.resume({ time_s: keyframe.time_s, bytes, isChange });
   let { frame } = restored;

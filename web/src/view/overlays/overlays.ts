@@ -51,6 +51,11 @@ export class Overlays extends Group {
     for (const scale of Object.values(this.scales)) scale.reset();
   }
 
+  /** Keeps the scales of the arrows, or lets them change again. */
+  hold(isHeld: boolean): void {
+    for (const scale of Object.values(this.scales)) scale.isHeld = isHeld;
+  }
+
   /** Takes the matrices from the second engine, computed for the run at these poses. */
   hearEquations(run: Run, equations: Equations, poses: ArrayLike<number>): void {
     this.jointAxes = jointAxesOf(run.model, equations, poses);

@@ -10,6 +10,8 @@ const GROWN = 1.5;
 /** Scale of the arrows, m in the picture per N; it changes only if an arrow would be too long. */
 export class ArrowScale {
   private m_per_unit = 0;
+  /** Whether the scale stays. */
+  isHeld = false;
 
   reset(): void {
     this.m_per_unit = 0;
@@ -18,7 +20,7 @@ export class ArrowScale {
   /** Returns the scale for these loads in a model of this size, m. */
   of(loads: readonly Load[], size: number): number {
     const most = Math.max(0, ...loads.map(({ vector }) => Math.hypot(...vector)));
-    if (most === 0) return this.m_per_unit;
+    if (most === 0 || (this.isHeld && this.m_per_unit > 0)) return this.m_per_unit;
     if (this.m_per_unit === 0 || most * this.m_per_unit > GROWN * LONGEST * size) this.m_per_unit = (LONGEST * size) / most;
     return this.m_per_unit;
   }

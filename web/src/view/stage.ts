@@ -1,0 +1,44 @@
+import type { Moment, Recording } from "../app/recording/recording";
+import type { Run } from "../app/run";
+import type { Watched } from "./overlays/watched";
+import type { Size } from "./size";
+import { Tensions } from "./tension";
+import type { View } from "./view";
+
+/** Draws moments of a recording in a fixed size, each independent of the clock, the page and other moments. */
+export class Stage {
+  private readonly tensions: Tensions;
+
+  /** Throws a TooLargeError if the graphics card cannot draw the size. */
+  constructor(
+    private readonly view: View,
+    private readonly watched: Watched,
+    run: Run,
+    recording: Recording,
+    size: Size,
+    private readonly ended: () => void,
+  ) {
+    this.tensions = new Tensions(run.lines, run.channels);
+    for (const { row } of recording.rows.items) this.tensions.read(row);
+    view.hold(size);
+  }
+
+  /** Returns the picture of a moment; copy it at once, because a browser soon clears it. */
+  draw(moment: Moment): HTMLCanvasElement {
+    const { tensions, view, watched } = this;
+    view.showTensions(tensions.tints(moment.row));
+    watched.show(moment);
+    return view.still(moment, moment.surface, moment.time_s);
+  }
+
+  /** Whether the browser has dropped the graphics, so that the last picture may be empty. */
+  get isLost(): boolean {
+    return this.view.isLost;
+  }
+
+  /** Returns the picture to the page. */
+  end(): void {
+    this.view.letGo();
+    this.ended();
+  }
+}
