@@ -1,4 +1,5 @@
 import "uplot/dist/uPlot.min.css";
+import "./styles/runs.css";
 import { ForecastLine } from "./forecast/line";
 import { openForecast } from "./forecast/open";
 import { BackgroundEngine } from "./app/background_engine";
@@ -20,6 +21,7 @@ import { Levers } from "./levers/levers";
 import { Periods } from "./physics/periods";
 import { PhysicsPanel } from "./physics/physics";
 import { Plots } from "./plots/plots";
+import { Runs } from "./runs/runs";
 import { language, texts } from "./texts";
 import { announce } from "./ui/announcer";
 import { showAbout } from "./ui/about";
@@ -110,7 +112,9 @@ function buildPage(session: Session, startClient: () => EngineClient, rest: Rest
   new Scrubber(session);
   announce(session);
   const scene = createScene(session, background);
-  const plots: Plots = new Plots(session, background, [exportTool(session, scene, () => plots.shown)]);
+  const runs = new Runs(session);
+  scene.haunt(runs);
+  const plots: Plots = new Plots(session, background, runs, [exportTool(session, scene, () => plots.shown, runs)]);
   new EquationsPanel(session, background, (what) => scene.highlight(what));
   const startSweep = () => new Worker(new URL("./physics/worker.ts", import.meta.url), { type: "module", name: language });
   const physics = new PhysicsPanel(session, background, new Periods(startSweep, galleryFolder(document.baseURI)));

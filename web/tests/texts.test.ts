@@ -6,9 +6,11 @@ import { describe, expect, it } from "vitest";
 import { isInEnglish, OF_PAGE } from "../src/engine/faults";
 import * as en from "../src/texts/en";
 import * as englishOfFigures from "../src/texts/en/figure";
+import * as englishOfRuns from "../src/texts/en/runs";
 import { languageOf } from "../src/texts/language";
 import * as nb from "../src/texts/nb";
 import * as norwegianOfFigures from "../src/texts/nb/figure";
+import * as norwegianOfRuns from "../src/texts/nb/runs";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -27,9 +29,9 @@ function written(text: unknown): string[] {
   return [given(1), given(2)].map((values) => String(text(...values)));
 }
 
-/** Texts of the figure page, which loads no others. */
-const english = new Map(leaves({ ...en, ...englishOfFigures }));
-const norwegian = new Map(leaves({ ...nb, ...norwegianOfFigures }));
+/** Texts, with those of the figure page, which loads no others, and of kept runs, which the start page does not load. */
+const english = new Map(leaves({ ...en, ...englishOfFigures, ...englishOfRuns }));
+const norwegian = new Map(leaves({ ...nb, ...norwegianOfFigures, ...norwegianOfRuns }));
 /** Texts that are equal in both languages: names, symbols, units, and words. */
 const SAME = [
   "equations.names.B_dot", "exports.parquet", "exports.plot", "exports.save", "floating.trim", "page.name", "page.scenario", "page.title", "picture.scale.moment", "plots.arm_axis", 

@@ -1,5 +1,6 @@
 import uPlot from "uplot";
 import { fixed, scientific } from "../app/format";
+import type { OtherLines } from "../runs/other_lines";
 import type { DrawnLine } from "./drawn";
 import type { Fan } from "./fan";
 import type { Stretch } from "./stretch";
@@ -11,11 +12,15 @@ export interface Content {
   stretch: Stretch;
   /** Futures over time. */
   fan: Fan;
+  /** Lines of kept runs; null where there are none. */
+  others: OtherLines | null;
   /** The visible time, s. */
   range_s: [number, number];
   /** Time that is shown, and whether it is before the newest time. */
   shown_s: number;
   isBack: boolean;
+  /** Time of the record from which `now` reads, s. */
+  row_s: number;
   /** Returns the value of a line at the time that is shown. */
   now(line: DrawnLine): number;
 }
@@ -27,6 +32,8 @@ export interface Chart {
   resize(width: number, height: number): void;
   /** Returns the value of each line for the legend, at the crosshair if there is one. */
   values(content: Content): string[];
+  /** Returns the value of each line of a kept run for the legend; empty if the chart draws none. */
+  otherValues?(content: Content): string[];
   /** Describes the position of the crosshair; empty if there is none. */
   at(content: Content): string;
   /** Returns further text for below the picture. */

@@ -1,0 +1,77 @@
+import { posesBetween } from "../app/recording/between";
+import type { Recorded, Recording } from "../app/recording/recording";
+import { TIME_SLACK_S } from "../app/recording/recording";
+import { indexAt } from "../app/recording/series";
+import type { Run } from "../app/run";
+import { linesOf } from "../plots/lines";
+import type { Line } from "../plots/lines";
+
+/** Description of a run that outlives it: its model without the meshes of hulls, and its columns. */
+export interface Facts extends Pick<Run, "model" | "channels" | "columns"> {
+  /** Stem of the names of its files. */
+  stem: string;
+  /** Approximate memory, bytes. */
+  bytes: number;
+}
+
+/** Colours of the theme for kept runs; the first ones are seldom those of lines of the present run. */
+export const RUN_COLOURS = ["line-5", "line-7", "line-6", "line-4", "line-8", "roll", "pitch", "yaw"];
+
+/** A run that is kept: its recorded rows, which it may share with other runs, and how the page shows it. */
+export class KeptRun {
+  rows: readonly Recorded[];
+  readonly events: Recording["events"];
+  isShown = true;
+  private known: Map<string, Line> | null = null;
+
+  constructor(
+    /** Letter that stands for the run in plots. */
+    readonly mark: string,
+    public name: string,
+    public colour: string,
+    readonly facts: Facts,
+    recording: Pick<Recording, "rows" | "events">,
+  ) {
+    this.rows = [...recording.rows.items];
+    this.events = recording.events;
+  }
+
+  get start_s(): number {
+    return this.rows[0].time_s;
+  }
+
+  get end_s(): number {
+    return this.rows[this.rows.length - 1].time_s;
+  }
+
+  /** Returns the line of the run with this id; undefined if the run has no such column. */
+  line(id: string): Line | undefined {
+    this.known ??= new Map(linesOf(this.facts.model, this.facts.channels).map((line) => [line.id, line]));
+    return this.known.get(id);
+  }
+
+  /** Whether the run has the bodies of a model, in its order. */
+  hasBodiesOf(model: Run["model"]): boolean {
+    const names = (of: Run["model"]) => of.bodies.map(({ name }) => name).join("\n");
+    return names(model) === names(this.facts.model);
+  }
+
+  /**
+   * Returns the rows before and after a time, and the share of the second; a time that is recorded gives its row twice.
+   * Null outside the recorded time.
+   */
+  around(time_s: number): { from: Recorded; to: Recorded; share: number } | null {
+    const at = indexAt(this.rows, time_s + TIME_SLACK_S);
+    const from = this.rows[at];
+    if (!from || time_s > this.end_s + TIME_SLACK_S) return null;
+    const to = this.rows[at + 1];
+    if (!to || time_s - from.time_s <= TIME_SLACK_S) return { from, to: from, share: 0 };
+    return { from, to, share: (time_s - from.time_s) / (to.time_s - from.time_s) };
+  }
+
+  /** Returns the poses of the bodies at a time; null outside the recorded time. */
+  posesAt(time_s: number): Float64Array | null {
+    const found = this.around(time_s);
+    return found && (found.share === 0 ? found.from.poses : posesBetween(found.from.poses, found.to.poses, found.share));
+  }
+}
