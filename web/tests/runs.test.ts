@@ -1,3 +1,4 @@
+import { BoxGeometry, Group, Mesh, MeshBasicMaterial } from "three";
 import { beforeEach, describe, expect, it } from "vitest";
 import { Recording } from "../src/app/recording/recording";
 import { Session } from "../src/app/session";
@@ -17,6 +18,7 @@ import type { KeptRun } from "../src/runs/kept";
 import { bytesOf, KEPT_BYTES } from "../src/runs/memory";
 import { OtherLines } from "../src/runs/other_lines";
 import { MOST_SHOWN, Runs } from "../src/runs/runs";
+import { Ghost } from "../src/view/overlays/ghost";
 import { bits } from "./gallery";
 import { channelOf, CHANNELS, FakeEngine } from "./fake";
 import { until } from "./until";
@@ -93,7 +95,7 @@ describe("kept runs", () => {
     session.scrub(0.04);
     await step(session, 2);
     const [left] = runs.all;
-    expect(left.name).toBe("A box, left at 0.04 s");
+    expect(left.name).toBe("Left at 0.04 s: A box");
     expect(left.rows).toEqual(before);
     const present = session.shown.recording!.rows.items;
     expect(present.slice(0, 5).every((row, i) => row === left.rows[i])).toBe(true);
@@ -237,7 +239,7 @@ describe("the memory of kept runs", () => {
     }
     expect(kept).toBeGreaterThan(1);
     expect(runs.all.length).toBe(kept);
-    expect(runs.said).toContain("Remove some");
+    expect(session.fault?.message).toContain("Remove some");
   });
 });
 
@@ -301,8 +303,33 @@ describe("lines of kept runs beside those of a plot", () => {
   it("poses of a kept run are those of its records, interpolated between them, and none outside", async () => {
     const run = await keptWith(rowsOf(0.1, () => 1));
     run.rows = run.rows.map((row) => ({ ...row, poses: Float64Array.of(row.time_s, 0, 0, 1, 0, 0, 0) }));
-    expect(run.posesAt(0.2)![0]).toBe(0.2);
-    expect(run.posesAt(0.25)![0]).toBeCloseTo(0.25, 12);
-    expect([run.posesAt(-0.1), run.posesAt(1.1)]).toEqual([null, null]);
+    expect(run.posesAt(0.2, model)![0]).toBe(0.2);
+    expect(run.posesAt(0.25, model)![0]).toBeCloseTo(0.25, 12);
+    expect([run.posesAt(-0.1, model), run.posesAt(1.1, model)]).toEqual([null, null]);
+  });
+
+  it("bodies of a kept run stand for those with their name and shape, whatever their order, and for no others", async () => {
+    const run = await keptWith(rowsOf(0.1, () => 1).map((row) => ({ ...row, poses: Float64Array.of(5, 0, 0, 1, 0, 0, 0) })));
+    const [ship] = model.bodies;
+    const others = { ...model, bodies: [{ ...ship, name: "crane" }, ship] };
+    const poses = run.posesAt(0.3, others)!;
+    expect([poses.length, poses[0], poses[7]]).toEqual([14, NaN, 5]);
+    const longer = { ...model, bodies: [{ ...ship, shape: null }] };
+    expect([run.hasBodyOf(others), run.hasBodyOf(longer)]).toEqual([true, false]);
+  });
+});
+
+describe("the ghost of a kept run", () => {
+  it("copies of bodies stand at the other poses; those that coincide with a body, or have no pose, are hidden", () => {
+    const bodies = [0, 1, 2].map(() => new Group().add(new Mesh(new BoxGeometry(), new MeshBasicMaterial())));
+    const pose = (x: number) => [x, 0, 0, 1, 0, 0, 0];
+    const ghost = new Ghost();
+    ghost.show(bodies, [...pose(0), ...pose(3), ...pose(NaN)]);
+    ghost.compare(bodies, 1);
+    expect(ghost.children.map(({ visible }) => visible)).toEqual([false, true, false]);
+    expect(ghost.children[1].position.x).toBe(3);
+    ghost.place([...pose(2), ...pose(0), ...pose(0)]);
+    ghost.compare(bodies, 1);
+    expect(ghost.children.map(({ visible }) => visible)).toEqual([true, false, false]);
   });
 });

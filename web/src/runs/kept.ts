@@ -50,10 +50,15 @@ export class KeptRun {
     return this.known.get(id);
   }
 
-  /** Whether the run has the bodies of a model, in its order. */
-  hasBodiesOf(model: Run["model"]): boolean {
-    const names = (of: Run["model"]) => of.bodies.map(({ name }) => name).join("\n");
-    return names(model) === names(this.facts.model);
+  /** Whether the run has a body of a model, with its name and shape. */
+  hasBodyOf(model: Run["model"]): boolean {
+    return this.bodiesOf(model).some((place) => place >= 0);
+  }
+
+  /** Returns the places in this run of the bodies of a model; -1 for a body that is another here. */
+  private bodiesOf({ bodies }: Run["model"]): number[] {
+    const shapeOf = ({ shape }: Run["model"]["bodies"][number]) => JSON.stringify(shape);
+    return bodies.map((body) => this.facts.model.bodies.findIndex((own) => own.name === body.name && shapeOf(own) === shapeOf(body)));
   }
 
   /**
@@ -69,9 +74,13 @@ export class KeptRun {
     return { from, to, share: (time_s - from.time_s) / (to.time_s - from.time_s) };
   }
 
-  /** Returns the poses of the bodies at a time; null outside the recorded time. */
-  posesAt(time_s: number): Float64Array | null {
+  /** Returns the poses of the bodies of a model at a time, NaN for those that are others; null outside the recorded time. */
+  posesAt(time_s: number, model: Run["model"]): Float64Array | null {
     const found = this.around(time_s);
-    return found && (found.share === 0 ? found.from.poses : posesBetween(found.from.poses, found.to.poses, found.share));
+    if (!found) return null;
+    const { from, to, share } = found;
+    const poses = share === 0 ? from.poses : posesBetween(from.poses, to.poses, share);
+    const own = this.bodiesOf(model);
+    return Float64Array.from({ length: 7 * own.length }, (_, i) => poses[7 * own[Math.floor(i / 7)] + (i % 7)] ?? NaN);
   }
 }

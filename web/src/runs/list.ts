@@ -54,7 +54,7 @@ export class RunList {
     colour.addEventListener("click", () => runs.recolour(run));
     const named = make("input", { type: "text", value: name, maxlength: 80, "aria-label": words.name(mark), "data-testid": `name-${mark}` });
     named.addEventListener("change", () => runs.rename(run, named.value));
-    const isOther = this.session.run === null || !run.hasBodiesOf(this.session.run.model);
+    const isOther = this.session.run === null || !run.hasBodyOf(this.session.run.model);
     const ticks = [
       ticked(`show-${mark}`, words.in_plots, run.isShown, !run.isShown && runs.shown.length >= MOST_SHOWN, (isOn) => runs.show(run, isOn)),
       ticked(`ghost-${mark}`, isOther ? words.ghost_other : words.ghost, runs.ghost === run && !isOther, isOther, (isOn) => runs.haunt(isOn ? run : null)),

@@ -21,7 +21,7 @@ export class Runs {
   comparison: Comparison = "lines";
   /** Run whose bodies the picture shows beside the present ones. */
   ghost: KeptRun | null = null;
-  /** Result of the last attempt to keep a run, for the user. */
+  /** Says which run was kept last. */
   said = "";
   private kept: readonly KeptRun[] = [];
   private readonly facts = new WeakMap<Run, Facts>();
@@ -75,8 +75,7 @@ export class Runs {
     const name = nameOf({ model: run.model, first: this.first, begun, changes: recording.changes, left_s });
     const taken = new KeptRun(markOf(this.kept.map(({ mark }) => mark)), unlike(name, this.kept.map((one) => one.name)), RUN_COLOURS[0], this.factsOf(run), recording);
     if (!thin([...this.kept, taken], this.limit)) {
-      this.said = words.full;
-      this.tell();
+      this.session.report({ kind: "runs", message: words.full });
       return null;
     }
     taken.isShown = this.shown.length < MOST_SHOWN;

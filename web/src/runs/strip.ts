@@ -1,5 +1,5 @@
 import type { Session } from "../app/session";
-import { make, setText } from "../ui/dom";
+import { byId, make, setText } from "../ui/dom";
 import { COMPARISONS } from "./runs";
 import type { Runs } from "./runs";
 import type { KeptRun } from "./kept";
@@ -26,7 +26,7 @@ export class RunStrip {
     manage.addEventListener("click", () => void this.openList());
     const compare = make("div", { class: "segmented", role: "group", "aria-label": words.compare }, ...this.comparisons);
     this.element.append(this.marks, compare, manage);
-    document.body.append(this.said);
+    byId("app").append(this.said);
     runs.onChange(() => this.show());
     this.show();
   }

@@ -134,11 +134,10 @@ export function showLosses(canvas: HTMLElement, view: View): void {
   });
 }
 
-/** Returns the run that is shown as a ghost, at a time; null if there is none, or if its bodies are others. */
+/** Returns the run that is shown as a ghost, at a time; null if there is none. */
 function otherAt(runs: Runs | null, { run }: Session, time_s: number): OtherRun | null {
   const ghost = runs?.ghost ?? null;
-  if (!ghost || !run || !ghost.hasBodiesOf(run.model)) return null;
-  const poses = ghost.posesAt(time_s);
+  const poses = ghost && run && ghost.posesAt(time_s, run.model);
   return poses && { poses, colour: ghost.colour };
 }
 
