@@ -300,6 +300,21 @@ describe("lines of kept runs beside those of a plot", () => {
     expect(new OtherLines({ runs: [run], isDifference: true }, lines, "rad").valueAt({ run, place: 0, own: lines[0] }, 1.2)).toBeNaN();
   });
 
+  it("a drawn line of more rows than are drawn keeps its largest and smallest value, also where only one row has them", async () => {
+    const run = await keptWith(rowsOf(5e-5, (t) => (Math.abs(t - 0.33335) < 1e-6 ? 9000 : Math.abs(t - 0.71) < 1e-6 ? -7000 : 1000 * Math.sin(50 * t))));
+    const others = new OtherLines({ runs: [run], isDifference: false }, [drawn("kinetic_energy")], "rad");
+    others.fill([0, 1], new Stretch());
+    expect(others.rangeOf([0])).toEqual([-7, 9]);
+    expect(others.rangeOf([1])).toEqual([Infinity, -Infinity]);
+  });
+
+  it("the path of a kept run has its second line over its first one, and a run that lacks one of them has none", async () => {
+    const run = await keptWith(rowsOf(0.25, (t) => 1000 * t));
+    const of = (...ids: string[]) => new OtherLines({ runs: [run], isDifference: false }, ids.map(drawn), "rad").phases([0.25, 0.75]);
+    expect(of("kinetic_energy", "ship.yaw").map(({ points }) => points)).toEqual([[[0.25, 250], [0.5, 500], [0.75, 750]]]);
+    expect(of("kinetic_energy")).toEqual([]);
+  });
+
   it("poses of a kept run are those of its records, interpolated between them, and none outside", async () => {
     const run = await keptWith(rowsOf(0.1, () => 1));
     run.rows = run.rows.map((row) => ({ ...row, poses: Float64Array.of(row.time_s, 0, 0, 1, 0, 0, 0) }));

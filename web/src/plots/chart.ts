@@ -171,6 +171,14 @@ export function endsOf(u: uPlot): [number, number, number, number] {
   return [x.min ?? 0, x.max ?? 1, y.min ?? 0, y.max ?? 1];
 }
 
+/** Dashes for the lines of a plot, pixels, in plots that tell runs by their colours. */
+const DASHES_PX = [[7, 4], [2, 3], [11, 3, 2, 3], [14, 6], [4, 2], [7, 2, 2, 2, 2, 2], [3, 7], [18, 4]];
+
+/** Returns the dashes of a line of a kept run, pixels: they tell which line of the plot it is. */
+export function dashOf(place: number): number[] {
+  return DASHES_PX[place % DASHES_PX.length];
+}
+
 /** Draws a line through points on a chart, in the units of its axes. */
 export function stroke(u: uPlot, points: Iterable<[number, number]>, scale: string, style: { colour: string; width: number; dash?: number[] }): void {
   const { ctx, bbox } = u;

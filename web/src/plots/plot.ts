@@ -148,10 +148,10 @@ export class Plot {
   private otherEntries(place: number): HTMLElement[] {
     const { others, otherValues, view } = this;
     const beside = others.all.map((one, i) => ({ ...one, value: otherValues[i] })).filter((one) => one.place === place);
-    if (view.kind !== "time" || beside.length === 0) return [];
+    if (view.kind === "arms" || beside.length === 0) return [];
     const entries = beside.map(({ run, value }) => {
       const mark = make("span", { class: "run-mark", style: `color: var(--${run.colour})`, title: run.name }, others.isDifference ? `− ${run.mark}` : run.mark);
-      return make("span", { class: "plot-other" }, mark, value);
+      return make("span", { class: "plot-other" }, mark, ...(view.kind === "time" ? [value] : []));
     });
     return [dashesOf(place), ...entries];
   }

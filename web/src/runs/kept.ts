@@ -10,6 +10,8 @@ import type { Line } from "../plots/lines";
 export interface Facts extends Pick<Run, "model" | "channels" | "columns"> {
   /** Stem of the names of its files. */
   stem: string;
+  /** Lines that plots have asked for, by their ids. */
+  lines: Map<string, Line | undefined>;
   /** Approximate memory, bytes. */
   bytes: number;
 }
@@ -22,7 +24,6 @@ export class KeptRun {
   rows: readonly Recorded[];
   readonly events: Recording["events"];
   isShown = true;
-  private known: Map<string, Line> | null = null;
 
   constructor(
     /** Letter that stands for the run in plots. */
@@ -46,8 +47,9 @@ export class KeptRun {
 
   /** Returns the line of the run with this id; undefined if the run has no such column. */
   line(id: string): Line | undefined {
-    this.known ??= new Map(linesOf(this.facts.model, this.facts.channels).map((line) => [line.id, line]));
-    return this.known.get(id);
+    const { channels, lines, model } = this.facts;
+    if (!lines.has(id)) lines.set(id, linesOf(model, channels).find((line) => line.id === id));
+    return lines.get(id);
   }
 
   /** Whether the run has a body of a model, with its name and shape. */

@@ -1,6 +1,6 @@
 import type uPlot from "uplot";
 import { indexAt } from "../app/recording/series";
-import { stroke, word } from "../plots/chart";
+import { dashOf, stroke, word } from "../plots/chart";
 import type { Style } from "../plots/chart";
 import { DrawnLine } from "../plots/drawn";
 import { read, Stretch } from "../plots/stretch";
@@ -15,8 +15,6 @@ export interface Compared {
   isDifference: boolean;
 }
 
-/** Dashes for the lines of a plot, pixels: the colour tells the run, the dashes tell the line. */
-const DASHES_PX = [[7, 4], [2, 3], [11, 3, 2, 3], [14, 6], [4, 2], [7, 2, 2, 2, 2, 2], [3, 7], [18, 4]];
 /** Largest number of points that are drawn of a line; of more, the extremes are drawn. */
 const MOST_POINTS = 4000;
 
@@ -28,8 +26,19 @@ export interface OtherLine {
   own: DrawnLine;
 }
 
-/** Points of a line in stretches without a gap. */
-type Path = [number, number][][];
+type Point = [number, number];
+
+/** Points of a line in stretches without a gap, with their smallest and largest value. */
+interface Path {
+  stretches: Point[][];
+  range: [number, number];
+}
+
+/** Path of a kept run: its second line over its first one. */
+export interface PhasePath {
+  run: KeptRun;
+  points: Point[];
+}
 
 /** Lines of kept runs beside the lines of a plot, or the differences of the two, over the visible time. */
 export class OtherLines {
@@ -113,41 +122,57 @@ export class OtherLines {
   /** Says which differences are interpolated, or that there is none to draw. */
   get notes(): string[] {
     if (!this.isDifference || this.lines.length === 0) return [];
-    if (this.paths.every((path) => path.length === 0)) return [words.nothing];
+    if (this.paths.every(({ stretches }) => stretches.length === 0)) return [words.nothing];
     const marks = [...this.interpolated].map(({ mark }) => mark);
     return marks.length > 0 ? [words.interpolated(marks.join(", "))] : [];
   }
 
   /** Returns the smallest and the largest value beside these lines of the plot; Infinity and -Infinity if there is none. */
   rangeOf(places: readonly number[]): [number, number] {
-    let [low, high] = [Infinity, -Infinity];
-    this.all.forEach(({ place }, i) => {
-      if (!places.includes(place)) return;
-      for (const [, value] of (this.paths[i] ?? []).flat()) [low, high] = [Math.min(low, value), Math.max(high, value)];
-    });
-    return [low, high];
+    const ranges = this.paths.filter((_, i) => places.includes(this.all[i].place)).map(({ range }) => range);
+    return [Math.min(Infinity, ...ranges.map(([low]) => low)), Math.max(-Infinity, ...ranges.map(([, high]) => high))];
   }
 
   /** Draws the lines in the colours of their runs, each with the letter of its run at its end. */
   draw(u: uPlot, style: Style, scaleOf: (unit: string) => string): void {
     const end_s = u.scales.x.max ?? Infinity;
-    this.all.forEach(({ run, place }, i) => {
+    this.paths.forEach(({ stretches }, i) => {
+      const { run, place } = this.all[i];
       const scale = scaleOf(this.lines[place].shown.unit);
       const colour = style.colour(run.colour);
-      const path = this.paths[i] ?? [];
-      for (const points of path) stroke(u, points, scale, { colour, width: 1.75, dash: DASHES_PX[place % DASHES_PX.length] });
-      const last = path.flat().filter(([time_s]) => time_s <= end_s).at(-1);
+      for (const points of stretches) stroke(u, points, scale, { colour, width: 1.75, dash: dashOf(place) });
+      const last = lastBefore(stretches, end_s);
       if (!last) return;
-      const place_px: [number, number] = [u.valToPos(last[0], "x", true) - 2 * devicePixelRatio, u.valToPos(last[1], scale, true)];
+      const place_px: Point = [u.valToPos(last[0], "x", true) - 2 * devicePixelRatio, u.valToPos(last[1], scale, true)];
       word(u, run.mark, place_px, String(style.axis.font), colour, "right");
     });
   }
+
+  /** Returns the paths of kept runs that have both of the first two lines, over a range of time. */
+  phases(range_s: [number, number]): PhasePath[] {
+    const across = this.all.filter(({ place }) => place === 0);
+    return across.flatMap((one) => {
+      const upwards = this.all.find(({ run, place }) => run === one.run && place === 1);
+      if (!upwards) return [];
+      const [, xs] = this.columnOf(one, range_s);
+      const [, ys] = this.columnOf(upwards, range_s);
+      const points = Array.from(xs, (x, k): Point => [x, ys[k]]);
+      return [{ run: one.run, points: points.filter((point) => point.every(Number.isFinite)) }];
+    });
+  }
+}
+
+function lastBefore(stretches: readonly Point[][], end_s: number): Point | null {
+  for (let i = stretches.length - 1; i >= 0; i--) {
+    for (let k = stretches[i].length - 1; k >= 0; k--) if (stretches[i][k][0] <= end_s) return stretches[i][k];
+  }
+  return null;
 }
 
 /** Returns a sample of the dashes of a line, for the legend. */
 export function dashesOf(place: number): HTMLElement {
   const sample = make("span", { class: "plot-dashes", "aria-hidden": "true" });
-  sample.innerHTML = `<svg viewBox="0 0 28 4" width="28" height="4"><path d="M0 2h28" stroke="currentColor" stroke-width="2" stroke-dasharray="${DASHES_PX[place % DASHES_PX.length].join(" ")}" /></svg>`;
+  sample.innerHTML = `<svg viewBox="0 0 28 4" width="28" height="4"><path d="M0 2h28" stroke="currentColor" stroke-width="2" stroke-dasharray="${dashOf(place).join(" ")}" /></svg>`;
   return sample;
 }
 
@@ -158,20 +183,22 @@ function within(angle: number, half: number): number {
 
 /** Divides a line where it has no value, and where an angle jumps by a full turn. */
 function pathOf(times: ArrayLike<number>, values: ArrayLike<number>, { line, half }: DrawnLine): Path {
-  const path: Path = [];
-  let last = NaN;
+  const stretches: Point[][] = [];
+  let [low, high, last] = [Infinity, -Infinity, NaN];
   for (const k of extremesOf(values)) {
     const value = values[k];
     const isJump = line.wraps === true && Math.abs(value - last) > half;
-    if (Number.isFinite(value) && (path.length === 0 || !Number.isFinite(last) || isJump)) path.push([]);
-    if (Number.isFinite(value)) path[path.length - 1].push([times[k], value]);
     last = value;
+    if (!Number.isFinite(value)) continue;
+    if (stretches.length === 0 || isJump || !Number.isFinite(values[k - 1])) stretches.push([]);
+    stretches[stretches.length - 1].push([times[k], value]);
+    [low, high] = [Math.min(low, value), Math.max(high, value)];
   }
-  return path;
+  return { stretches, range: [low, high] };
 }
 
 /** Returns the indices of values to draw: all, or the smallest and the largest of each of many equal parts. */
-function extremesOf(values: ArrayLike<number>): Iterable<number> {
+function extremesOf(values: ArrayLike<number>): number[] {
   const count = values.length;
   if (count <= MOST_POINTS) return Array.from({ length: count }, (_, k) => k);
   const size = Math.ceil((2 * count) / MOST_POINTS);
@@ -179,8 +206,8 @@ function extremesOf(values: ArrayLike<number>): Iterable<number> {
   for (let from = 0; from < count; from += size) {
     let [low, high] = [from, from];
     for (let k = from + 1; k < Math.min(count, from + size); k++) {
-      if (values[k] < values[low]) low = k;
-      if (values[k] > values[high]) high = k;
+      if (values[k] < values[low] || Number.isNaN(values[low])) low = k;
+      if (values[k] > values[high] || Number.isNaN(values[high])) high = k;
     }
     chosen.push(...new Set([Math.min(low, high), Math.max(low, high)]));
   }

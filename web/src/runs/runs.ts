@@ -97,7 +97,7 @@ export class Runs {
     const { channels, columns } = run;
     const model = { ...run.model, hulls: run.model.hulls.map((hull) => ({ ...hull, mesh: null })) };
     const bytes = 2 * JSON.stringify([model, channels, columns.names]).length;
-    const facts = { model, channels, columns, stem: stemOf(this.session.source?.file ?? "run"), bytes };
+    const facts = { model, channels, columns, stem: stemOf(this.session.source?.file ?? "run"), lines: new Map(), bytes };
     this.facts.set(run, facts);
     return facts;
   }
