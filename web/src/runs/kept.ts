@@ -24,6 +24,7 @@ export class KeptRun {
   rows: readonly Recorded[];
   readonly events: Recording["events"];
   isShown = true;
+  private readonly matched = new WeakMap<Run["model"], number[]>();
 
   constructor(
     /** Letter that stands for the run in plots. */
@@ -58,9 +59,15 @@ export class KeptRun {
   }
 
   /** Returns the places in this run of the bodies of a model; -1 for a body that is another here. */
-  private bodiesOf({ bodies }: Run["model"]): number[] {
+  private bodiesOf(model: Run["model"]): number[] {
+    // Every picture with a ghost asks for them.
+    const known = this.matched.get(model);
+    if (known) return known;
     const shapeOf = ({ shape }: Run["model"]["bodies"][number]) => JSON.stringify(shape);
-    return bodies.map((body) => this.facts.model.bodies.findIndex((own) => own.name === body.name && shapeOf(own) === shapeOf(body)));
+    const own = this.facts.model.bodies;
+    const places = model.bodies.map((body) => own.findIndex((one) => one.name === body.name && shapeOf(one) === shapeOf(body)));
+    this.matched.set(model, places);
+    return places;
   }
 
   /**
