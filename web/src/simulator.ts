@@ -1,4 +1,5 @@
 import "uplot/dist/uPlot.min.css";
+import "./styles/runs.css";
 import { ForecastLine } from "./forecast/line";
 import { openForecast } from "./forecast/open";
 import { filmToken } from "./app/address";
@@ -23,6 +24,7 @@ import { Levers } from "./levers/levers";
 import { Periods } from "./physics/periods";
 import { PhysicsPanel } from "./physics/physics";
 import { Plots } from "./plots/plots";
+import { Runs } from "./runs/runs";
 import { language, texts } from "./texts";
 import { announce } from "./ui/announcer";
 import { showAbout } from "./ui/about";
@@ -125,8 +127,10 @@ function buildPage(session: Session, startClient: () => EngineClient, rest: Rest
   new Scrubber(session);
   announce(session);
   const scene = createScene(session, background);
+  const runs = new Runs(session);
+  scene.haunt(runs);
   const studio = { session, background, scene, plots: () => plots.shown };
-  const plots: Plots = new Plots(session, background, [exportTool(session, scene, () => plots.shown, filmOpener(studio))]);
+  const plots: Plots = new Plots(session, background, runs, [exportTool(session, scene, () => plots.shown, runs, filmOpener(studio))]);
   const token = filmToken(location.hash);
   if (token !== null) void import("./film/command").then(({ obeyCommand }) => obeyCommand(studio, token));
   new EquationsPanel(session, background, (what) => scene.highlight(what));

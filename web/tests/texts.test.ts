@@ -7,10 +7,12 @@ import { isInEnglish, OF_PAGE } from "../src/engine/faults";
 import * as en from "../src/texts/en";
 import * as englishOfFigures from "../src/texts/en/figure";
 import * as englishOfFilms from "../src/texts/en/film";
+import * as englishOfRuns from "../src/texts/en/runs";
 import { languageOf } from "../src/texts/language";
 import * as nb from "../src/texts/nb";
 import * as norwegianOfFigures from "../src/texts/nb/figure";
 import * as norwegianOfFilms from "../src/texts/nb/film";
+import * as norwegianOfRuns from "../src/texts/nb/runs";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -29,9 +31,9 @@ function written(text: unknown): string[] {
   return [given(1), given(2)].map((values) => String(text(...values)));
 }
 
-/** Texts of the figure page, which loads no others, and of films, which are loaded when one is wanted, too. */
-const english = new Map(leaves({ ...en, ...englishOfFigures, ...englishOfFilms }));
-const norwegian = new Map(leaves({ ...nb, ...norwegianOfFigures, ...norwegianOfFilms }));
+/** Texts, with those of the figure page, which loads no others, and of films and kept runs, which are loaded later. */
+const english = new Map(leaves({ ...en, ...englishOfFigures, ...englishOfFilms, ...englishOfRuns }));
+const norwegian = new Map(leaves({ ...nb, ...norwegianOfFigures, ...norwegianOfFilms, ...norwegianOfRuns }));
 /** Texts that are equal in both languages: names, symbols, units, and words. */
 const SAME = [
   "equations.names.B_dot", "exports.parquet", "film.formats.mp4", "film.formats.webm", "exports.plot", "exports.save", "floating.trim", "page.name", "page.scenario", "page.title", "picture.scale.moment", "plots.arm_axis", 

@@ -3,7 +3,7 @@ import { Columns } from "../engine/columns";
 import type { Channel, DrawnLine, Fault, InputInfo, JointAxis, ModelInfo } from "../engine/engine";
 import type { Frame, Opened } from "../engine/messages";
 import { Accuracy } from "./accuracy";
-import type { Moment } from "./recording/recording";
+import type { Moment, Recording } from "./recording/recording";
 
 /**
  * empty: nothing could be opened; idle: at the start; stepping: in the middle of a long Step; stopped: the run cannot go on.
@@ -48,7 +48,12 @@ export interface Listener {
   moved?(run: Run, moment: Moment): void;
   /** An input of the run has changed. */
   inputsChanged?(run: Run): void;
-  /** The run continues from an earlier moment: everything later is gone. */
+  /**
+   * Records are about to leave the recording: those after `from_s`, from which the run continues, or all of them, with
+   * null, at a reset or when another scenario opens.
+   */
+  leaves?(run: Run, recording: Recording, from_s: number | null): void;
+  /** The run continues from an earlier moment: its recording has nothing later. */
   branched?(run: Run): void;
   /** A parameter or an input was set by hand: forecasts made before are no longer valid. */
   steered?(): void;

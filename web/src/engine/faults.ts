@@ -2,7 +2,7 @@ import { texts } from "../texts";
 import type { Fault } from "./engine";
 
 /** Kinds of faults whose message the page writes, in its language; messages of the engine are in English. */
-export const OF_PAGE = ["database", "engine", "file", "link", "network", "restarted", "saved", "setting", "two_operations"];
+export const OF_PAGE = ["database", "engine", "file", "link", "network", "restarted", "runs", "saved", "setting", "two_operations"];
 
 /** Whether a fault is of the kind `engine`: the engine is dead. */
 export function isOfEngine(fault: unknown): fault is Fault & { kind: "engine" } {

@@ -34,6 +34,24 @@ export function* rowsAsCsv(names: readonly string[], rows: Iterable<ArrayLike<nu
   for (const row of rows) yield `${Array.from(row, written).join(",")}\n`;
 }
 
+/** Rows of a run, with the names of their columns. */
+export interface NamedRows {
+  run: string;
+  names: readonly string[];
+  rows: readonly ArrayLike<number>[];
+}
+
+/** Writes several runs as one table: the name of the run, then all columns of any run; a cell that a run lacks is empty. */
+export function* rowsOfRunsAsCsv(runs: readonly NamedRows[]): Generator<string> {
+  const names = [...new Set(runs.flatMap((run) => run.names))];
+  yield `${["run", ...names].map(cell).join(",")}\n`;
+  for (const { run, names: own, rows } of runs) {
+    const at = new Map(own.map((name, place) => [name, place]));
+    const places = names.map((name) => at.get(name));
+    for (const row of rows) yield `${[cell(run), ...places.map((place) => (place === undefined ? "" : written(row[place])))].join(",")}\n`;
+  }
+}
+
 /** Writes the events as a table, as `kingpost run` writes it next to a CSV file. */
 export function eventsAsCsv(events: readonly Happened[]): string {
   const lines = events.map(({ time_s, code, name, text }) => `${written(time_s)},${cell(code)},${cell(name)},${cell(text)}\n`);

@@ -2,6 +2,9 @@ import { fixed } from "../app/format";
 import type { Session } from "../app/session";
 import type { Plot } from "../plots/plot";
 import { tool } from "../plots/tool";
+import { fileOf, fileOfAll } from "../runs/files";
+import type { Runs } from "../runs/runs";
+import { words } from "../runs/words";
 import { texts } from "../texts";
 import { make, setText } from "../ui/dom";
 import { download } from "../ui/download";
@@ -30,6 +33,7 @@ export class ExportDialog {
     private readonly session: Session,
     private readonly scene: Scene,
     private readonly plots: () => readonly Plot[],
+    private readonly runs: Runs,
     /** Opens the dialog for films and pictures of any size. */
     private readonly openFilm: () => Promise<void>,
   ) {
@@ -46,6 +50,7 @@ export class ExportDialog {
     setText(this.said, "");
     this.body.replaceChildren(
       this.group(texts.exports.recording, this.recording(), this.rows()),
+      ...(this.runs.all.length > 0 ? [this.group(words.files, this.kept())] : []),
       this.group(texts.exports.pictures, this.pictures()),
       this.group(texts.exports.film, [], "", this.filmButton()),
       this.group(texts.exports.scenario, [{ name: texts.exports.save, help: texts.exports.save_help, testId: "export-scenario", make: () => saveScenario(this.session) }]),
@@ -69,6 +74,12 @@ export class ExportDialog {
       { name: say.parquet, help: say.parquet_help, testId: "export-parquet", make: () => files.parquet() },
       ...(files.hasEvents ? [events] : []),
     ];
+  }
+
+  private kept(): Choice[] {
+    const { all } = this.runs;
+    const each = all.map((run) => ({ name: words.file(run.mark, run.name), help: "", testId: `export-run-${run.mark}`, make: () => fileOf(run) }));
+    return [{ name: words.together, help: words.together_help, testId: "export-runs", make: () => fileOfAll(this.session, all) }, ...each];
   }
 
   private pictures(): Choice[] {
@@ -135,7 +146,7 @@ export class ExportDialog {
 }
 
 /** Returns the button that opens the dialog. */
-export function exportTool(session: Session, scene: Scene, plots: () => readonly Plot[], openFilm: () => Promise<void>): HTMLElement {
-  const dialog = new ExportDialog(session, scene, plots, openFilm);
+export function exportTool(session: Session, scene: Scene, plots: () => readonly Plot[], runs: Runs, openFilm: () => Promise<void>): HTMLElement {
+  const dialog = new ExportDialog(session, scene, plots, runs, openFilm);
   return tool(texts.exports.open, texts.exports.open, "export", "M10 13V3M6 7l4-4 4 4M3.5 12v4.5h13V12", () => dialog.open());
 }

@@ -84,7 +84,7 @@ export class Graph {
     const range_s = stretchOf(FOLLOWING, { now_s: rows?.last?.time_s ?? 0, shown_s: shown.time_s, duration_s, window_s });
     const from = Math.max(0, rows?.indexAt(range_s[0]) ?? 0);
     stretch.fill(rows?.items ?? [], rows ? [from, Math.max(from, rows.indexAt(range_s[1]) + 1)] : [0, 0], lines.map(({ places }) => places), (value, i) => lines[i].scaled(value));
-    const row = rows?.around(shown.time_s)[0].row ?? [];
-    return { lines, stretch, fan, range_s, shown_s: shown.time_s, isBack: shown.isBack, now: (line) => line.scaled(read(row, line.places)) };
+    const { row = [], time_s: row_s = 0 } = rows?.around(shown.time_s)[0] ?? {};
+    return { lines, stretch, fan, others: null, range_s, shown_s: shown.time_s, isBack: shown.isBack, row_s, now: (line) => line.scaled(read(row, line.places)) };
   }
 }

@@ -1,5 +1,6 @@
 import uPlot from "uplot";
 import { fixed, scientific } from "../app/format";
+import type { OtherLines } from "../runs/other_lines";
 import type { DrawnLine } from "./drawn";
 import type { Fan } from "./fan";
 import type { Stretch } from "./stretch";
@@ -11,11 +12,15 @@ export interface Content {
   stretch: Stretch;
   /** Futures over time. */
   fan: Fan;
+  /** Lines of kept runs; null where there are none. */
+  others: OtherLines | null;
   /** The visible time, s. */
   range_s: [number, number];
   /** Time that is shown, and whether it is before the newest time. */
   shown_s: number;
   isBack: boolean;
+  /** Time of the record from which `now` reads, s. */
+  row_s: number;
   /** Returns the value of a line at the time that is shown. */
   now(line: DrawnLine): number;
 }
@@ -27,6 +32,8 @@ export interface Chart {
   resize(width: number, height: number): void;
   /** Returns the value of each line for the legend, at the crosshair if there is one. */
   values(content: Content): string[];
+  /** Returns the value of each line of a kept run for the legend; empty if the chart draws none. */
+  otherValues?(content: Content): string[];
   /** Describes the position of the crosshair; empty if there is none. */
   at(content: Content): string;
   /** Returns further text for below the picture. */
@@ -162,6 +169,14 @@ export class Painted {
 export function endsOf(u: uPlot): [number, number, number, number] {
   const { x, y } = u.scales;
   return [x.min ?? 0, x.max ?? 1, y.min ?? 0, y.max ?? 1];
+}
+
+/** Dashes for the lines of a plot, pixels, in plots that tell runs by their colours. */
+const DASHES_PX = [[7, 4], [2, 3], [11, 3, 2, 3], [14, 6], [4, 2], [7, 2, 2, 2, 2, 2], [3, 7], [18, 4]];
+
+/** Returns the dashes of a line of a kept run, pixels: they tell which line of the plot it is. */
+export function dashOf(place: number): number[] {
+  return DASHES_PX[place % DASHES_PX.length];
 }
 
 /** Draws a line through points on a chart, in the units of its axes. */

@@ -1,5 +1,6 @@
 import type uPlot from "uplot";
 import { fixed } from "../app/format";
+import type { PhasePath } from "../runs/other_lines";
 import { texts } from "../texts";
 import { dot, heightsOf, Painted, stroke } from "./chart";
 import type { Chart, Content, Style } from "./chart";
@@ -10,14 +11,17 @@ import { places } from "./table";
 export class PhaseChart implements Chart {
   private chart: Painted | null = null;
   private content: Content | null = null;
+  private others: PhasePath[] = [];
 
   constructor(private readonly area: HTMLElement) {}
 
   draw(content: Content): void {
     this.content = content;
     this.chart ??= this.make(content);
-    const [, xs, ys] = content.stretch.data;
-    this.chart.fit(roundOf(xs ?? []), roundOf(ys ?? []));
+    const [, xs = [], ys = []] = content.stretch.data;
+    this.others = content.others?.phases(content.range_s) ?? [];
+    const points = this.others.flatMap((other) => other.points);
+    this.chart.fit(roundOf(xs, points.map(([x]) => x)), roundOf(ys, points.map(([, y]) => y)));
   }
 
   resize(width: number, height: number): void {
@@ -57,13 +61,14 @@ export class PhaseChart implements Chart {
     return new Painted(this.area, axes, (u, style) => this.drawPath(u, style));
   }
 
-  /** Draws the path, and the point at the time that is shown. */
+  /** Draws the paths of kept runs, the path, and the point at the time that is shown. */
   private drawPath(u: uPlot, style: Style): void {
     const { content } = this;
     if (!content || content.lines.length < 2) return;
     const [across, upwards] = content.lines;
     const [, xs, ys] = content.stretch.data;
     const path = Array.from(xs, (x, i): [number, number] => [x, ys[i]]).filter(([x, y]) => Number.isFinite(x) && Number.isFinite(y));
+    for (const { run, points } of this.others) stroke(u, points, "y", { colour: style.colour(run.colour), width: 1.25, dash: [7, 4] });
     stroke(u, path, "y", { colour: style.colour(upwards.colour), width: 1.5 });
     dot(u, [content.now(across), content.now(upwards)], "y", style.colour("accent"), style.colour("surface"));
   }
@@ -74,8 +79,8 @@ function nameOf({ label, shown }: DrawnLine): string {
 }
 
 /** Returns the range of the values with a margin. */
-function roundOf(values: ArrayLike<number>): [number, number] {
+function roundOf(...lists: readonly ArrayLike<number>[]): [number, number] {
   let [low, high] = [Infinity, -Infinity];
-  for (let i = 0; i < values.length; i++) [low, high] = [Math.min(low, values[i]), Math.max(high, values[i])];
+  for (const values of lists) for (let i = 0; i < values.length; i++) [low, high] = [Math.min(low, values[i]), Math.max(high, values[i])];
   return heightsOf(low <= high ? low : null, low <= high ? high : null, 1e-9, []);
 }

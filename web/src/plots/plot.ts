@@ -1,6 +1,9 @@
 import type { Outlook } from "../forecast/outlook";
 import type { Shown } from "../app/recording/shown";
 import type { Run } from "../app/session";
+import { dashesOf, OtherLines } from "../runs/other_lines";
+import type { Compared } from "../runs/other_lines";
+import { words } from "../runs/words";
 import { texts } from "../texts";
 import { make, setText } from "../ui/dom";
 import { ArmsChart, armsLegend } from "./arms_chart";
@@ -35,6 +38,8 @@ export interface PlotContext {
   arms(): Arms | null;
   /** Futures; they are drawn with the recorded lines. */
   outlook(): Outlook | null;
+  /** Kept runs; their lines are drawn with those of the present run. */
+  compared(): Compared;
   /** Called when the user has selected a range of time. */
   chooseRange(range_s: [number, number]): void;
   /** Called when the user wants to choose other lines. */
@@ -65,9 +70,11 @@ export class Plot {
   private readonly table = make("table");
   private readonly stretch = new Stretch();
   private readonly fan = new Fan();
+  private others!: OtherLines;
   private chart!: Chart;
   private lines: DrawnLine[] = [];
   private values: HTMLElement[] = [];
+  private otherValues: HTMLElement[] = [];
   private name = "";
   private stale = true;
   private isTabled = false;
@@ -99,6 +106,8 @@ export class Plot {
     const { title, labels } = titleAndLabels(chosen, figures.ofLines(view.lines));
     const colours = coloursOf(chosen);
     this.lines = chosen.map((line, i) => new DrawnLine(line, labels[i], colours[i], run.columns, angle, run.model.limits));
+    const compared = context.compared();
+    this.others = new OtherLines({ ...compared, isDifference: compared.isDifference && view.kind === "time" && compared.runs.length > 0 }, this.lines, angle);
     this.name = this.titleOf(title, labels);
     setText(this.title, this.name);
     this.title.setAttribute("aria-label", texts.plots.choose(this.name, this.place));
@@ -122,20 +131,33 @@ export class Plot {
 
   private titleOf(title: string, labels: readonly string[]): string {
     const { kind } = this.view;
-    if (kind === "time") return title;
+    if (kind === "time") return this.others.isDifference ? words.difference_of(title) : title;
     if (kind === "arms") return texts.plots.kinds.arms;
     if (kind === "phase" && labels.length > 1) return texts.plots.against(labels[1], labels[0]);
     return texts.plots.with_kind(title, texts.plots.kinds[kind].toLowerCase());
   }
 
   private drawEntries(hasUnits: boolean): void {
+    this.otherValues = this.others.all.map(({ run, own }) => make("span", { class: "plot-value", "data-testid": `value-${this.place}-${own.line.id}-${run.mark}` }));
     this.values = this.lines.map(({ line }) => make("span", { class: "plot-value", "data-testid": `value-${this.place}-${line.id}` }));
     const entries = this.lines.map(({ colour, label, shown }, i) => {
       const unit = hasUnits && shown.unit && this.view.kind === "time" ? [make("span", { class: "plot-unit" }, ` ${shown.unit}`)] : [];
-      return make("span", { class: "plot-entry" }, swatch(colour), label, this.values[i], ...unit);
+      return make("span", { class: "plot-entry" }, swatch(colour), label, this.values[i], ...unit, ...this.otherEntries(i));
     });
     const hulls = this.hulls().map(({ colour, label }) => make("span", { class: "plot-entry" }, swatch(colour), label));
     this.legend.replaceChildren(...entries, ...hulls);
+  }
+
+  /** Returns the part of the legend with the values of kept runs beside a line, after a sample of its dashes. */
+  private otherEntries(place: number): HTMLElement[] {
+    const { others, otherValues, view } = this;
+    const beside = others.all.map((one, i) => ({ ...one, value: otherValues[i] })).filter((one) => one.place === place);
+    if (view.kind === "arms" || beside.length === 0) return [];
+    const entries = beside.map(({ run, value }) => {
+      const mark = make("span", { class: "run-mark", style: `color: var(--${run.colour})`, title: run.name }, others.isDifference ? `− ${run.mark}` : run.mark);
+      return make("span", { class: "plot-other" }, mark, ...(view.kind === "time" ? [value] : []));
+    });
+    return [dashesOf(place), ...entries];
   }
 
   /** Returns the legend of the hulls whose righting arms are drawn. */
@@ -197,11 +219,11 @@ export class Plot {
   }
 
   private content(): Content {
-    const { context, fan, lines, stretch } = this;
+    const { context, fan, lines, others, stretch } = this;
     const { shown } = context;
-    const row = shown.recording?.rows.around(shown.time_s)[0].row ?? [];
+    const { row = [], time_s: row_s = 0 } = shown.recording?.rows.around(shown.time_s)[0] ?? {};
     const now = (line: DrawnLine) => line.scaled(read(row, line.places));
-    return { lines, stretch, fan, range_s: context.range_s(), shown_s: shown.time_s, isBack: shown.isBack, now };
+    return { lines, stretch, fan, others, range_s: context.range_s(), shown_s: shown.time_s, isBack: shown.isBack, row_s, now };
   }
 
   /** Reads the visible time from the recording. */
@@ -215,6 +237,7 @@ export class Plot {
     const columns = this.lines.map((line) => line.places);
     const scale = (value: number, i: number) => this.lines[i].scaled(value);
     this.stretch.fill(rows?.items ?? [], places, columns, scale);
+    this.others.fill(range_s, this.stretch);
     this.fan.fill(this.view.kind === "time" ? this.context.outlook() : null, columns, scale);
   }
 
@@ -222,6 +245,8 @@ export class Plot {
     setText(this.at, this.chart.at(content));
     const values = this.chart.values(content);
     this.values.forEach((value, i) => setText(value, values[i] ?? ""));
+    const others = this.chart.otherValues?.(content) ?? [];
+    this.otherValues.forEach((value, i) => setText(value, others[i] ?? ""));
     const notes = this.chart.notes(content).join(". ").replace(/\.\./g, ".");
     setText(this.notes, notes);
     this.notes.hidden = notes === "";
@@ -239,7 +264,7 @@ export class Plot {
     const head = make("tr", {}, ...heads.map((name) => (name ? make("th", { scope: "col" }, name) : make("td"))));
     const row = ([name, ...cells]: string[]) => make("tr", {}, make("th", { scope: "row" }, name), ...cells.map((cell) => make("td", {}, cell)));
     this.table.replaceChildren(make("caption", {}, this.area.getAttribute("aria-label")!), head, ...rows.map(row));
-    if (!this.statistics.element.hidden) this.statistics.show(this.name, this.lines, times, columns, content.range_s[0]);
+    if (!this.statistics.element.hidden) this.statistics.show(this.name, this.lines, times, columns, content.range_s, this.others);
   }
 
   private resize(): void {
@@ -254,7 +279,8 @@ export class Plot {
     this.fill(content);
     const canvas = await drawnApart((area) => this.chartIn(area), content);
     const entries = this.lines.map(({ label, colour, shown }) => ({ label, colour, unit: shown.unit }));
-    return canvas && { title: this.name, entries: [...entries, ...this.hulls()], notes: this.notes.textContent ?? "", canvas };
+    const others = this.view.kind === "time" ? this.others.all.map(({ run, own }) => ({ label: `${run.mark}: ${own.label}`, colour: run.colour, unit: own.shown.unit })) : [];
+    return canvas && { title: this.name, entries: [...(this.others.isDifference ? [] : entries), ...others, ...this.hulls()], notes: this.notes.textContent ?? "", canvas };
   }
 
   destroy(): void {

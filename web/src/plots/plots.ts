@@ -3,6 +3,9 @@ import type { BackgroundEngine } from "../app/background_engine";
 import { Calm } from "../app/calm";
 import { onPalette } from "../app/palette";
 import type { Run, Session } from "../app/session";
+import type { Runs } from "../runs/runs";
+import { RunStrip } from "../runs/strip";
+import { words } from "../runs/words";
 import { texts } from "../texts";
 import { byId, make } from "../ui/dom";
 import type { Arms } from "./arms_chart";
@@ -44,6 +47,7 @@ export class Plots {
   constructor(
     private readonly session: Session,
     private readonly background: BackgroundEngine,
+    private readonly runs: Runs,
     tools: HTMLElement[],
   ) {
     this.dialog = new ViewDialog(() => this.show(), () => this.reset());
@@ -52,10 +56,12 @@ export class Plots {
     const tall = tool(texts.plots.tall, texts.plots.tall_plots, "tall-plots", "M10 3v14M6 7l4-4 4 4M6 13l4 4 4-4", () => {
       tall.setAttribute("aria-pressed", String(document.querySelector(".app")!.classList.toggle("has-tall-plots")));
     });
+    const keep = tool(words.keep, words.keep_run, "keep-run", "M5 3h10v14l-5-4-5 4z", () => void runs.keep());
     tall.classList.add("wide-tool");
     tall.setAttribute("aria-pressed", "false");
-    const toolbar = make("div", { class: "plots-tools", role: "group", "aria-label": texts.plots.title }, this.add, view, ...tools, tall);
-    byId("plots").append(toolbar, this.list);
+    const toolbar = make("div", { class: "plots-tools", role: "group", "aria-label": texts.plots.title }, this.add, view, keep, ...tools, tall);
+    byId("plots").append(toolbar, make("div", { class: "plots-main" }, new RunStrip(runs, session).element, this.list));
+    runs.onChange(() => this.plots.forEach((plot) => plot.show()));
     session.listen({
       opened: (run, _frame) => this.open(run),
       advanced: (_run, { rows }) => rows.length > 0 && this.touch(),
@@ -145,6 +151,7 @@ export class Plots {
       range_s: () => this.range_s(),
       arms: () => this.arms,
       outlook: () => this.outlook,
+      compared: () => ({ runs: this.runs.shown, isDifference: this.runs.comparison === "difference" }),
       chooseRange: ([from_s, to_s]) => {
         this.view!.window = between(from_s, to_s);
         this.show();

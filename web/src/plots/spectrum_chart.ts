@@ -1,7 +1,8 @@
 import uPlot from "uplot";
 import { texts } from "../texts";
-import { acrossAxis, paddingOf, styleOf, tick, uprightAxis } from "./chart";
-import type { Chart, Content } from "./chart";
+import type { OtherLine } from "../runs/other_lines";
+import { acrossAxis, dashOf, paddingOf, stroke, styleOf, tick, uprightAxis } from "./chart";
+import type { Chart, Content, Style } from "./chart";
 import type { DrawnLine } from "./drawn";
 import { evenEnd, isResolved, linesThatHold, loadTransform, peakOf, spectraOf } from "./spectrum";
 import type { Spectrum, Transform } from "./spectrum";
@@ -21,6 +22,7 @@ export class SpectrumChart implements Chart {
   private chart: uPlot | null = null;
   private transformOf: ((length: number) => Transform) | null = null;
   private found: Spectrum[] = [];
+  private others: { one: OtherLine; spectrum: Spectrum }[] = [];
   private of_s: [number, number] = [0, 0];
   private reckoned_ms = -Infinity;
 
@@ -49,13 +51,22 @@ export class SpectrumChart implements Chart {
     this.chart.setScale("x", { min: 0, max: this.end() });
   }
 
-  private reckon({ lines, stretch }: Content, transformOf: (length: number) => Transform): void {
+  private reckon({ others, range_s, stretch }: Content, transformOf: (length: number) => Transform): void {
     const [times, ...columns] = stretch.data;
     const [from, to] = evenEnd(times);
-    const step_s = (times[to - 1] - times[from]) / (to - 1 - from);
-    const within = lines.map((_, i) => columns[i].subarray(from, to));
     this.of_s = [times[from], times[to - 1]];
-    this.found = spectraOf(within, step_s, this.parts(), transformOf);
+    this.found = this.spectra(times, columns, transformOf);
+    this.others = (others?.all ?? []).flatMap((one) => {
+      const [times_s, values] = others!.columnOf(one, range_s);
+      return this.spectra(times_s, [values], transformOf).map((spectrum) => ({ one, spectrum }));
+    });
+  }
+
+  /** Returns the spectra of lines over the evenly spaced records at the end; none if there are too few. */
+  private spectra(times_s: Float64Array, columns: readonly Float64Array[], transformOf: (length: number) => Transform): Spectrum[] {
+    const [from, to] = evenEnd(times_s);
+    const step_s = (times_s[to - 1] - times_s[from]) / (to - 1 - from);
+    return spectraOf(columns.map((values) => values.subarray(from, to)), step_s, this.parts(), transformOf);
   }
 
   /** Returns the frequency up to which nearly all of the variance is visible, rad/s. */
@@ -117,6 +128,20 @@ export class SpectrumChart implements Chart {
     this.reckoned_ms = -Infinity;
   }
 
+  /** Returns the largest density of the kept runs with a unit; 0 if there is none. */
+  private highest(unit: string): number {
+    const own = this.others.filter(({ one }) => unitOf(one.own) === unit);
+    return own.reduce((most, { spectrum }) => Math.max(most, spectrum.density[peakOf(spectrum)]), 0);
+  }
+
+  /** Draws the spectra of kept runs, each with the resolution of its records. */
+  private drawOthers(u: uPlot, style: Style): void {
+    for (const { one: { run, own, place }, spectrum: { density, omega } } of this.others) {
+      const points = Array.from(omega, (x, k): [number, number] => [x, density[k]]);
+      stroke(u, points, unitOf(own), { colour: style.colour(run.colour), width: 1.75, dash: dashOf(place) });
+    }
+  }
+
   private make({ lines }: Content): uPlot {
     const style = styleOf();
     const units = [...new Set(lines.map(unitOf))];
@@ -126,7 +151,8 @@ export class SpectrumChart implements Chart {
       legend: { show: false },
       padding: paddingOf(units.length),
       cursor: { drag: { x: false, y: false }, points: { size: 7 } },
-      scales: { x: { time: false }, ...Object.fromEntries(units.map((unit) => [unit, { range: (_u: uPlot, _low: number, high: number): [number, number] => [0, 1.06 * (high || 1)] }])) },
+      scales: { x: { time: false }, ...Object.fromEntries(units.map((unit) => [unit, { range: (_u: uPlot, _low: number, high: number): [number, number] => [0, 1.06 * (Math.max(high, this.highest(unit)) || 1)] }])) },
+      hooks: { drawAxes: [(u) => this.drawOthers(u, style)] },
       axes: [acrossAxis(style, tick, "rad/s"), ...units.map((unit, place) => uprightAxis(style, unit, place, unit))],
       series: [{}, ...lines.map((line): uPlot.Series => ({ label: line.label, stroke: style.colour(line.colour), scale: unitOf(line), width: 2, points: { show: false } }))],
     };

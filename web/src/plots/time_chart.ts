@@ -33,7 +33,7 @@ export class TimeChart implements Chart {
   draw(content: Content): void {
     this.content = content;
     this.chart ??= this.make(content);
-    this.chart.setData(content.stretch.data, false);
+    this.chart.setData(dataOf(content), false);
     const [min, max] = content.range_s;
     this.chart.setScale("x", { min, max });
   }
@@ -52,6 +52,16 @@ export class TimeChart implements Chart {
     return content.lines.map((line, i) => fixed(this.isInside(content) ? columns[i][index!] : content.now(line), line.decimals));
   }
 
+  otherValues(content: Content): string[] {
+    const { lines, others, stretch } = content;
+    const isInside = this.isInside(content);
+    const [times, ...columns] = stretch.data;
+    return (others?.all ?? []).map((one) => {
+      const present = isInside ? columns[one.place][this.index!] : content.now(lines[one.place]);
+      return fixed(others!.shownAt(one, isInside ? times[this.index!] : content.row_s, present), lines[one.place].decimals);
+    });
+  }
+
   private isInside({ stretch }: Content): boolean {
     return this.index !== null && this.index < stretch.length;
   }
@@ -60,8 +70,8 @@ export class TimeChart implements Chart {
     return this.isInside(content) ? texts.plots.at_time(fixed(content.stretch.data[0][this.index!], 2)) : "";
   }
 
-  notes(): string[] {
-    return [];
+  notes({ others }: Content): string[] {
+    return others?.notes ?? [];
   }
 
   table({ fan, lines, stretch }: Content): string[][] {
@@ -85,7 +95,7 @@ export class TimeChart implements Chart {
 
   private make(content: Content): uPlot {
     const style = styleOf();
-    const { lines, stretch } = content;
+    const { lines } = content;
     const units = [...new Set(lines.map(({ shown }) => shown.unit))];
     const options: uPlot.Options = {
       width: this.area.clientWidth,
@@ -95,30 +105,36 @@ export class TimeChart implements Chart {
       cursor: { sync: { key: "time" }, drag: { x: true, y: false, setScale: false }, points: { size: 7 } },
       scales: { x: { time: false }, ...Object.fromEntries(units.map((unit) => [scaleOf(unit), { range: this.rangeFor(lines, unit) }])) },
       axes: [acrossAxis(style, (value) => `${Number(value.toPrecision(6))} s`), ...units.map((unit, place) => uprightAxis(style, scaleOf(unit), place, units.length > 1 ? unit : ""))],
-      hooks: { drawAxes: [(u) => this.drawFan(u, style)], draw: [(u) => this.drawBounds(u, style), (u) => this.drawMoment(u, style)], setSelect: [(u) => this.select(u)] },
+      hooks: { drawAxes: [(u) => this.drawFan(u, style), (u) => this.drawOthers(u, style)], draw: [(u) => this.drawBounds(u, style), (u) => this.drawMoment(u, style)], setSelect: [(u) => this.select(u)] },
       series: [{}, ...lines.map((line) => seriesOf(line, style.colour(line.colour)))],
     };
-    return new uPlot(options, stretch.data, this.area);
+    return new uPlot(options, dataOf(content), this.area);
   }
 
-  /** Returns the range of the axis of a unit, from its lines, their limits and their futures. */
+  /** Returns the range of the axis of a unit, from its lines, those of kept runs, their limits and their futures. */
   private rangeFor(lines: readonly DrawnLine[], unit: string): uPlot.Range.Function {
     const places = lines.flatMap((line, i) => (line.shown.unit === unit ? [i] : []));
     const own = places.map((i) => lines[i]);
     const least = Math.max(...own.map(({ line, shown }) => (line.unit.startsWith("rad") ? LEAST_ANGLE * shown.scale : LEAST)));
-    const bounds = own.flatMap((line) => line.bounds.map(({ value }) => value));
     return (_u, low, high) => {
-      const [lowest, highest] = this.content?.fan.rangeOf(places) ?? [Infinity, -Infinity];
-      const [bottom, top] = [Math.min(low ?? Infinity, lowest), Math.max(high ?? -Infinity, highest)];
+      const { fan, others } = this.content!;
+      const bounds = others?.isDifference ? [] : own.flatMap((line) => line.bounds.map(({ value }) => value));
+      const ranges = [[low ?? Infinity, high ?? -Infinity], ...(others ? [others.rangeOf(places)] : []), ...(others?.isDifference ? [] : [fan.rangeOf(places)])];
+      const [bottom, top] = [Math.min(...ranges.map(([one]) => one)), Math.max(...ranges.map(([, one]) => one))];
       return heightsOf(bottom <= top ? bottom : null, bottom <= top ? top : null, least, bounds);
     };
   }
 
   /** Draws the futures below the lines. */
   private drawFan(u: uPlot, style: Style): void {
-    if (!this.content) return;
+    if (!this.content || this.content.others?.isDifference) return;
     const { fan, lines } = this.content;
     fan.draw(u, lines.map(({ colour }) => style.colour(colour)), lines.map(({ shown }) => scaleOf(shown.unit)));
+  }
+
+  /** Draws the lines of kept runs below the lines. */
+  private drawOthers(u: uPlot, style: Style): void {
+    this.content?.others?.draw(u, style, scaleOf);
   }
 
   private select(u: uPlot): void {
@@ -140,7 +156,7 @@ export class TimeChart implements Chart {
   /** Draws the limits of a column in the colour of its line, from the time at which they count. */
   private drawBounds(u: uPlot, style: Style): void {
     const { content } = this;
-    if (!content) return;
+    if (!content || content.others?.isDifference) return;
     const end_s = content.range_s[1];
     const labels: BoundLabel[] = [];
     for (const { bounds, colour, shown } of content.lines) {
@@ -158,6 +174,12 @@ export class TimeChart implements Chart {
 }
 
 const scaleOf = (unit: string) => `in ${unit}`;
+
+/** Returns the data of the chart: where it draws differences, the lines themselves are left out. */
+function dataOf({ lines, others, stretch }: Content): uPlot.AlignedData {
+  if (!others?.isDifference) return stretch.data;
+  return [stretch.data[0], ...lines.map(() => new Array<null>(stretch.length).fill(null))];
+}
 
 function seriesOf(line: DrawnLine, colour: string): uPlot.Series {
   const series: uPlot.Series = { label: line.label, stroke: colour, scale: scaleOf(line.shown.unit), width: 2, pxAlign: 0, points: { show: false } };

@@ -6,9 +6,11 @@ import type { Session } from "../app/session";
 import type { ModelInfo } from "../engine/engine";
 import { shipsInTheSea } from "../engine/surface";
 import { length } from "../app/format";
+import type { Runs } from "../runs/runs";
 import type { Highlight } from "../equations/highlight";
 import { texts } from "../texts";
 import { byId, setText } from "../ui/dom";
+import type { OtherRun } from "./overlays/overlays";
 import { Watched } from "./overlays/watched";
 import type { Size } from "./size";
 import { Stage } from "./stage";
@@ -24,6 +26,8 @@ export interface Scene {
   highlight(what: Highlight | null): void;
   /** Shows possible future positions of the loads. */
   foresee(outlook: Outlook | null): void;
+  /** Shows the bodies of the kept run that the user has chosen. */
+  haunt(runs: Runs): void;
   /** Returns the present picture; copy it at once, because a browser soon clears it. */
   picture(): HTMLCanvasElement | null;
   /** Returns the viewpoint as a text. */
@@ -51,7 +55,7 @@ export function createScene(session: Session, background: BackgroundEngine): Sce
     const message = byId("scene-message");
     message.hidden = false;
     message.textContent = texts.picture.no_graphics;
-    return { draw: () => false, highlight() {}, foresee() {}, picture: () => null, viewpoint: () => "free", cameras: () => [], lookBy: () => false, stage: () => null };
+    return { draw: () => false, highlight() {}, foresee() {}, haunt() {}, picture: () => null, viewpoint: () => "free", cameras: () => [], lookBy: () => false, stage: () => null };
   }
   showLosses(byId("canvas"), view);
   const watched = new Watched(session, background, view);
@@ -78,6 +82,7 @@ export function createScene(session: Session, background: BackgroundEngine): Sce
   /** Update of the futures for the next picture: futures arrive faster than pictures are drawn. */
   let due: (() => void) | null = null;
   let isStaged = false;
+  let runs: Runs | null = null;
   return {
     draw() {
       if (isStaged) return false;
@@ -90,6 +95,7 @@ export function createScene(session: Session, background: BackgroundEngine): Sce
         if (tensions) view.showTensions(tensions.read(moment.row));
         legend.show(tensions);
         watched.show(moment);
+        view.showOther(otherAt(runs, session, moment.time_s));
         drawn = moment.poses;
       }
       due?.();
@@ -100,6 +106,10 @@ export function createScene(session: Session, background: BackgroundEngine): Sce
     },
     highlight: (what) => view.highlight(what),
     foresee: (outlook) => (due = () => view.showCloud(outlook && session.run && swarmOf(outlook, session.run))),
+    haunt(list) {
+      runs = list;
+      list.onChange(() => (drawn = null));
+    },
     picture: () => view.picture(),
     viewpoint: () => view.viewpoint,
     cameras: () => view.cameras(),
@@ -147,6 +157,13 @@ export function showLosses(canvas: HTMLElement, view: View): void {
     message.hidden = true;
     view.repaint();
   });
+}
+
+/** Returns the run that is shown as a ghost, at a time; null if there is none. */
+function otherAt(runs: Runs | null, { run }: Session, time_s: number): OtherRun | null {
+  const ghost = runs?.ghost ?? null;
+  const poses = ghost && run && ghost.posesAt(time_s, run.model);
+  return poses && { poses, colour: ghost.colour };
 }
 
 /** Returns the note on the grid and the water for the picture. */

@@ -18,6 +18,7 @@ import type { Pose, Shown } from "./fleet";
 import { Ground } from "./ground";
 import { Marks } from "./highlight";
 import { Overlays } from "./overlays/overlays";
+import type { OtherRun } from "./overlays/overlays";
 import { readPalette } from "./palette";
 import type { Palette } from "./palette";
 import { Drawing } from "./quality";
@@ -125,6 +126,12 @@ export class View {
   /** Shows the overlays of a moment. */
   showOverlays(run: Run, moment: Moment, path: () => readonly Vec3[]): void {
     this.overlays.show(run, moment, this.start.poses, path, this.palette);
+    this.stale = true;
+  }
+
+  /** Shows the bodies of another run; null for none. */
+  showOther(run: OtherRun | null): void {
+    this.overlays.showOther(run);
     this.stale = true;
   }
 

@@ -22,6 +22,7 @@ import physics from "./physics.mjs";
 import picture from "./picture.mjs";
 import plots from "./plots.mjs";
 import recording from "./recording.mjs";
+import runs from "./runs.mjs";
 import saving from "./saving.mjs";
 import scenarios from "./scenarios.mjs";
 import sea from "./sea.mjs";
@@ -47,7 +48,7 @@ if (!existsSync(DIST)) {
 }
 
 const wanted = process.argv[2] ?? "";
-const SUITES = [start, scenarios, numbers, recording, controls, gestures, faults, layout, languages, addresses, losses, saving, sea, panels, physics, levers, picture, plots, sharing, figure, film, offline, forecast];
+const SUITES = [start, scenarios, numbers, recording, controls, gestures, faults, layout, languages, addresses, losses, saving, sea, panels, physics, levers, picture, plots, runs, sharing, figure, film, offline, forecast];
 const tests = SUITES.flatMap((suite) => Object.entries(suite)).filter(([name]) => name.includes(wanted));
 // A path below the root, as on many static hosts.
 const { address, stop } = await serve(DIST, "/a/folder/");

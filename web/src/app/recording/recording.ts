@@ -15,9 +15,9 @@ export const DEPTH = { rows: 48e6, pictures: 40e6, keyframes: 8e6 };
  */
 const NEWEST_PICTURES = 3;
 /** Times that differ by less than this count as one, s. */
-const TIME_SLACK_S = 1e-6;
+export const TIME_SLACK_S = 1e-6;
 /** Approximate memory of an object in addition to its arrays, bytes. */
-const OVERHEAD = 300;
+export const OVERHEAD = 300;
 
 interface Picture {
   time_s: number;

@@ -40,13 +40,7 @@ export class Series<T extends { time_s: number }> {
 
   /** Index of the last item at or before a time; -1 if there is none. */
   indexAt(time_s: number): number {
-    let [low, high] = [0, this.all.length];
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (this.all[middle].time_s <= time_s) low = middle + 1;
-      else high = middle;
-    }
-    return low - 1;
+    return indexAt(this.all, time_s);
   }
 
   /** Returns the items before and after a time; beyond the last item, that item twice. */
@@ -56,17 +50,35 @@ export class Series<T extends { time_s: number }> {
   }
 
   private thin(): void {
-    const older = Math.floor((1 - UNTOUCHED) * this.all.length);
-    const gap = (i: number) => this.all[i + 1].time_s - this.all[i - 1].time_s;
-    const gaps: number[] = [];
-    for (let i = 1; i < older; i++) if (this.mayGo(this.all[i])) gaps.push(gap(i));
-    gaps.sort((a, b) => a - b);
-    const widest = (gaps[Math.min(gaps.length - 1, Math.floor(CLOSEST * this.all.length))] ?? -Infinity) * (1 + 1e-9);
-    let isKept = true;
-    const goes = (i: number) => i > 0 && i < older && isKept && this.mayGo(this.all[i]) && gap(i) <= widest;
-    // The neighbours of a dropped item are kept.
-    const kept = this.all.filter((_, i) => (isKept = !goes(i)));
+    const kept = withoutClosest(this.all, Math.floor((1 - UNTOUCHED) * this.all.length), CLOSEST, this.mayGo);
     // If the items that must stay are too many, the oldest are dropped.
     this.all = kept.slice(Math.max(0, kept.length - this.capacity));
   }
+}
+
+/** Returns the index of the last item at or before a time; -1 if there is none. */
+export function indexAt(items: readonly { time_s: number }[], time_s: number): number {
+  let [low, high] = [0, items.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (items[middle].time_s <= time_s) low = middle + 1;
+    else high = middle;
+  }
+  return low - 1;
+}
+
+/**
+ * Returns items without every second one of those before place `older` that are closest together, which are a `share`
+ * of all; the first item stays.
+ */
+export function withoutClosest<T extends { time_s: number }>(items: readonly T[], older: number, share: number, mayGo: (item: T) => boolean = () => true): T[] {
+  const gap = (i: number) => items[i + 1].time_s - items[i - 1].time_s;
+  const gaps: number[] = [];
+  for (let i = 1; i < older; i++) if (mayGo(items[i])) gaps.push(gap(i));
+  gaps.sort((a, b) => a - b);
+  const widest = (gaps[Math.min(gaps.length - 1, Math.floor(share * items.length))] ?? -Infinity) * (1 + 1e-9);
+  let isKept = true;
+  const goes = (i: number) => i > 0 && i < older && isKept && mayGo(items[i]) && gap(i) <= widest;
+  // The neighbours of a dropped item are kept.
+  return items.filter((_, i) => (isKept = !goes(i)));
 }

@@ -113,6 +113,8 @@ export class Opening {
   }
 
   private accept(opened: Opened, overrides: Values, source: Source | null): void {
+    const { run: last, shown } = this.state;
+    if (last && shown.recording) this.state.emit((listener) => listener.leaves?.(last, shown.recording!, null));
     const run = runOf(opened);
     this.state.run = run;
     this.state.values.begin(opened, overrides);

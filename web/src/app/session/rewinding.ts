@@ -19,7 +19,7 @@ export class Rewinding {
     return this.branching !== null;
   }
 
-  /** Brings the run back to the moment that is shown and drops everything later. */
+  /** Brings the run back to the moment that is shown; everything later leaves its recording. */
   branch(): Promise<void> {
     const { run, shown } = this.state;
     const { time_s } = shown;
@@ -56,6 +56,7 @@ export class Rewinding {
       const restored = rewind(this.opening.client, recording, time_s, values.inForce, (name, value) => values.goBack(name, value));
       const { inputs, frame } = await this.opening.asked(restored);
       run.inputs = inputs;
+      this.state.emit((listener) => listener.leaves?.(run, recording, recording.timeOf(frame.row)));
       recording.dropAfter(frame);
     } catch (fault) {
       this.opening.due = null;

@@ -20,6 +20,7 @@ const headings: Record<string, string> = {
   followed: "A change from the link cannot be repeated",
   two_operations: "The scenario cannot be saved",
   unsaved: "The scenario cannot be saved",
+  runs: "The run is not kept",
 };
 
 export const alert = {

@@ -4,7 +4,7 @@ export const transport = {
   pause: "Pause",
   resume: "Resume",
   from_here: "From here",
-  from_here_help: "Continues from the moment that is shown; everything later is dropped",
+  from_here_help: "Continues from the moment that is shown; the run so far is kept in the list of runs",
   space: "The space bar starts and pauses too",
   step: "Step",
   reset: "Reset",

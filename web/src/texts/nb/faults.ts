@@ -24,6 +24,7 @@ export const alert: Texts["alert"] = {
     followed: "En endring fra lenken kan ikke gjentas",
     two_operations: "Scenarioet kan ikke lagres",
     unsaved: "Scenarioet kan ikke lagres",
+    runs: "Kjøringen er ikke beholdt",
   },
   its_database: "Åpne scenarioet og databasen sammen: velg begge filene, eller slipp begge her.",
   its_file: "Åpne scenarioet og filen som det viser til, sammen: velg begge filene, eller slipp begge her.",

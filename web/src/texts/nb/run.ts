@@ -6,7 +6,7 @@ export const transport: Texts["transport"] = {
   pause: "Pause",
   resume: "Fortsett",
   from_here: "Herfra",
-  from_here_help: "Kjøringen går videre fra øyeblikket som vises; alt som kom etter, slettes",
+  from_here_help: "Fortsetter fra øyeblikket som vises; kjøringen så langt blir beholdt i listen over kjøringer",
   space: "Mellomromstasten starter og stopper også",
   step: "Steg",
   reset: "Nullstill",

@@ -1,4 +1,4 @@
-import { Group } from "three";
+import { Color, Group } from "three";
 import type { Run } from "../../app/session";
 import type { Moment } from "../../app/recording/recording";
 import type { Equations, Hydrostatics } from "../../engine/engine";
@@ -22,6 +22,15 @@ import { CentreSigns, Letters, Strokes } from "./signs";
 export const OVERLAYS = ["forces", "axes", "masses", "buoyancy", "trace", "ghost"] as const;
 export type Overlay = (typeof OVERLAYS)[number];
 
+/** Another run in the picture: the poses of its bodies and its colour. */
+export interface OtherRun {
+  poses: ArrayLike<number>;
+  /** Name of one of the theme's colours. */
+  colour: string;
+}
+
+/** Opacity of the bodies of another run. */
+const OTHER_OPACITY = 0.35;
 /** Half length of a joint's axis, and length of a buoyancy arrow, relative to the size of the model. */
 const AXIS = 0.06;
 const UP = 0.16;
@@ -31,17 +40,19 @@ export class Overlays extends Group {
   readonly on = new Set<Overlay>();
   /** Scales of the arrows, m in the picture per N and per N m; 0 if no arrow is drawn. */
   metresPer = { force: 0, moment: 0 };
-  private readonly parts = { arrows: new Arrows(), axes: new Strokes(), masses: new CentreSigns(), heights: new Strokes(), letters: new Letters(), path: new Strokes(false), ghost: new Ghost() };
+  private readonly parts = { arrows: new Arrows(), axes: new Strokes(), masses: new CentreSigns(), heights: new Strokes(), letters: new Letters(), path: new Strokes(false), ghost: new Ghost(), other: new Ghost(OTHER_OPACITY) };
   private readonly scales = { force: new ArrowScale(), moment: new ArrowScale() };
   private isBlank = false;
   private jointAxes: JointAxis[] = [];
   /** Bodies whose geometry the ghost shares. */
   private ghostOf: unknown = null;
+  private otherOf: unknown = null;
   private floating: { at: Hydrostatics; signs: FloatingSigns[] } | null = null;
 
   constructor(private readonly fleet: Fleet) {
     super();
     this.add(...Object.values(this.parts));
+    this.parts.other.visible = false;
   }
 
   /** Prepares for another run, or for a reset. */
@@ -95,10 +106,22 @@ export class Overlays extends Group {
     const { ghost } = this.parts;
     ghost.visible = this.on.has("ghost");
     if (!ghost.visible) return;
-    ghost.paint(palette);
+    ghost.paint(palette.axes.z);
     if (this.ghostOf !== this.fleet.bodies) ghost.show(this.fleet.bodies, start);
     this.ghostOf = this.fleet.bodies;
     ghost.compare(this.fleet.bodies, this.fleet.size);
+  }
+
+  /** Shows the bodies of another run; null for none. */
+  showOther(run: OtherRun | null): void {
+    const { other } = this.parts;
+    other.visible = run !== null;
+    if (!run) return;
+    other.paint(new Color(getComputedStyle(document.documentElement).getPropertyValue(`--${run.colour}`).trim()));
+    if (this.otherOf !== this.fleet.bodies) other.show(this.fleet.bodies, run.poses);
+    this.otherOf = this.fleet.bodies;
+    other.place(run.poses);
+    other.compare(this.fleet.bodies, this.fleet.size);
   }
 
   private arrowsOf(loads: readonly Load[], palette: Palette): Arrow[] {
