@@ -8,6 +8,7 @@ import type {
   Description,
   DrawnLine,
   DrawnSeabed,
+  DrawnTank,
   HullDescription,
   Input,
   LimitDescription,
@@ -16,6 +17,7 @@ import type {
   ParameterDescription,
   PointDescription,
   SphereShape,
+  TankRoom,
   Warning,
 } from "../generated/model";
 import type { Equations } from "../generated/equations";
@@ -35,6 +37,8 @@ export type LimitInfo = LimitDescription;
 export type LoopInfo = LoopDescription;
 export type MeshInfo = MeshDescription;
 export type PointInfo = PointDescription;
+export type TankInfo = DrawnTank;
+export type RoomInfo = TankRoom;
 
 export type Value = boolean | number | string;
 export type Values = Record<string, Value>;

@@ -1,9 +1,9 @@
-import { ACESFilmicToneMapping, FogExp2, PCFShadowMap, Scene, WebGLRenderer } from "three";
+import { ACESFilmicToneMapping, FogExp2, PCFShadowMap, Scene, Vector3, WebGLRenderer } from "three";
 import type { Color } from "three";
 import { onPalette } from "../app/palette";
 import type { Moment } from "../app/recording/recording";
 import type { Run } from "../app/session";
-import { shipsInTheSea } from "../engine/surface";
+import { inTheSea, shipsInTheSea } from "../engine/surface";
 import type { Surface } from "../engine/surface";
 import { airOf } from "./air";
 import { Cloud } from "./cloud";
@@ -24,8 +24,10 @@ import { Drawing } from "./quality";
 import { Sea } from "./sea";
 import { Seabed } from "./seabed";
 import { Section } from "./section";
+import { reachesDown, sightOf } from "./sight";
 import { withFrame } from "./solids";
 import { gridSpacing } from "./spacing";
+import type { Reading } from "./tanks";
 import type { Tints } from "./tension";
 import { labelScale, triadOf } from "./triad";
 import { CAMERAS, textOfPlace, viewpointOf } from "./viewpoint";
@@ -67,6 +69,8 @@ export class View {
   private tints: readonly Tints[] = [];
   private isPlain = false;
   mayDive = false;
+  /** Whether a ship floats in the sea: the eye stays above the water unless the user lets it dive. */
+  private isAfloat = false;
   camera: CameraName = "free";
   private tell: (camera: CameraName) => void = () => {};
   private readonly marks = new Marks();
@@ -106,11 +110,13 @@ export class View {
     this.eye.watch(this.fleet.drawn.map((box) => withFrame(box, 1.3 * axes)), frame.poses, this.start.poses);
     if (axes > 0) this.addFrames(axes);
     this.ground.space(this.spacing());
-    this.ground.visible = shipsInTheSea(run.model).length === 0;
+    this.ground.visible = inTheSea(run.model).length === 0;
+    this.isAfloat = shipsInTheSea(run.model).length > 0;
+    this.clear();
     if (this.daylight.surround(!this.ground.visible)) this.detail();
     this.highlight(this.highlighted);
     this.place(frame);
-    if (refit ? !this.lookBy(run.model.view.camera) : !this.cameras().includes(this.camera)) this.look("free");
+    if (refit ? !this.lookBy(run.model.view.camera, true) : !this.cameras().includes(this.camera)) this.look("free");
     else if (this.camera === "section") this.cut(true);
     this.stale = true;
   }
@@ -152,19 +158,23 @@ export class View {
     this.stale = true;
   }
 
-  /** Shows a viewpoint by its text, a name or a place; returns false if there is none that the model offers. */
-  lookBy(text: string): boolean {
+  /**
+   * Shows a viewpoint by its text, a name or a place; returns false if there is none that the model offers. From a place
+   * that is `given` for any picture the eye steps back in a small or narrow one.
+   */
+  lookBy(text: string, isGiven = false): boolean {
     const asked = viewpointOf(text);
     if (asked === null || (typeof asked === "string" && !this.cameras().includes(asked))) return false;
     if (typeof asked === "string") this.look(asked);
-    else this.lookAt(asked);
+    else this.lookAt(asked, isGiven);
     return true;
   }
 
   /** Shows the view from a place near the first body. */
-  lookAt(place: Place): void {
+  lookAt(place: Place, isGiven = false): void {
     this.look("free");
-    this.eye.place = place;
+    if (isGiven) this.eye.give(place);
+    else this.eye.place = place;
     this.stale = true;
   }
 
@@ -225,8 +235,19 @@ export class View {
   showTensions(tints: readonly Tints[]): void {
     this.tints = tints;
     this.fleet.tint(tints);
-    this.sea.showBelow(tints.length > 0);
+    this.clear();
     this.stale = true;
+  }
+
+  /** Shows the levels of the liquids in tanks. */
+  showLevels(read: Reading): void {
+    this.fleet.fill(read);
+    this.stale = true;
+  }
+
+  /** Makes the sea clear if lines or tanks below its surface are to be seen. */
+  private clear(): void {
+    this.sea.showBelow(this.tints.length > 0 || this.fleet.hasGlass || reachesDown(this.start.line_points, this.fleet.size));
   }
 
   showFrames(shown: boolean): void {
@@ -247,6 +268,12 @@ export class View {
     this.stale = true;
   }
 
+  /** The direction in which the eye looks, in plan. */
+  get ahead(): readonly [number, number] {
+    const { x, y } = this.eye.camera.getWorldDirection(new Vector3());
+    return [x, y];
+  }
+
   fit(): void {
     this.look(this.camera);
   }
@@ -259,7 +286,7 @@ export class View {
   /** Draws the picture if something has changed; returns whether it was drawn. */
   draw(): boolean {
     this.eye.update(performance.now());
-    this.eye.stayAbove(this.mayDive || !this.sea.visible ? null : (x, y) => this.sea.heightAt(x, y));
+    this.eye.stayAbove(this.mayDive || !this.isAfloat || !this.sea.visible ? null : (x, y) => this.sea.heightAt(x, y));
     if (!this.stale) {
       this.drawing.rest();
       return false;
@@ -282,6 +309,7 @@ export class View {
     const { poses } = frame;
     this.fleet.place(frame);
     this.marks.place(this.fleet.bodies);
+    if (this.run) this.sea.look(sightOf(this.run.model, this.fleet.boxes, poses, this.load));
     const hull = this.hull();
     if (this.camera === "section" && hull >= 0) this.section.place(this.fleet.bodies[hull], this.fleet.boxes[hull], (x, y) => this.sea.heightAt(x, y));
     const [x, y, z] = [poses[0] ?? 0, poses[1] ?? 0, poses[2] ?? 0];
