@@ -55,6 +55,10 @@ describe("insides of hulls", () => {
     expect(await insideOf("supply_boat_lift")).toEqual({ glass: [], weights: ["ballast"], liquids: [] });
     expect((await insideOf("gyro_wave_energy")).glass).toEqual([]);
   });
+
+  it("a hull stays opaque if the scenario's plots do not show the tank in it", async () => {
+    expect(await insideOf("feeder_cycle")).toEqual({ glass: [], weights: [], liquids: ["tank"] });
+  });
 });
 
 describe("liquids in tanks", () => {

@@ -15,7 +15,7 @@ const BEFORE_THE_SEA = -0.5;
 
 /** Bodies inside hulls. */
 export interface Insides {
-  /** Hulls that are seen through: they carry tanks with liquids, or moving bodies inside. */
+  /** Hulls that are seen through: they carry tanks or moving bodies that the scenario's plots show. */
   glass: ReadonlySet<number>;
   /** Weights that are fixed inside hulls. */
   weights: ReadonlySet<number>;
@@ -26,16 +26,27 @@ export interface Insides {
 /** Finds what is inside hulls, from the boxes around the bodies and their poses at the start. */
 export function insidesOf(model: ModelInfo, roles: readonly Role[], boxes: readonly Box[], poses: ArrayLike<number>): Insides {
   const indexOf = (name: string) => model.bodies.findIndex((body) => body.name === name);
-  const glass = new Set(model.tanks.map(({ body }) => indexOf(body)));
+  const isShown = subjectsOf(model);
+  const glass = new Set(model.tanks.flatMap(({ name, body }) => (isShown(name) ? [indexOf(body)] : [])));
   const liquids = new Set(model.tanks.map(({ name }) => indexOf(name)));
   const weights = new Set<number>();
-  model.bodies.forEach(({ parent }, i) => {
+  model.bodies.forEach(({ name, parent }, i) => {
     const hull = indexOf(parent);
     if (roles[hull] !== "hull" || liquids.has(i) || !isWithin(boxes, poses, i, hull)) return;
     if (roles[i] === "tank") weights.add(i);
-    else glass.add(hull);
+    else if (isShown(name)) glass.add(hull);
   });
   return { glass, weights, liquids };
+}
+
+/**
+ * Returns whether a tank or a body is a subject of the scenario: a plot that it names shows it or its joint. Without plots
+ * everything is.
+ */
+function subjectsOf({ view, joints }: ModelInfo): (name: string) => boolean {
+  const columns = view.plots.flat();
+  const isNamed = (name: string) => columns.some((column) => column.startsWith(`${name}.`));
+  return (name) => columns.length === 0 || isNamed(name) || joints.some((joint) => joint.body === name && isNamed(joint.name));
 }
 
 /** Whether the top and the middle of a body are inside the box of another one. */

@@ -23,6 +23,7 @@ import type { Palette } from "./palette";
 import { Drawing } from "./quality";
 import { Sea } from "./sea";
 import { Seabed } from "./seabed";
+import type { LevelSeabed } from "./seabed";
 import { Section } from "./section";
 import { reachesDown, sightOf } from "./sight";
 import { withFrame } from "./solids";
@@ -43,6 +44,9 @@ const FRAME_LENGTH = 0.14;
 
 /** Density of the fog under water, times the longest diagonal of a body. */
 const FOG = 0.22;
+
+/** Radius of the seabed that is drawn at the depth of the sea, in depths or sizes of the model, whichever is more. */
+const SEABED = 3;
 
 /** Directions of the views; the view from above is slightly tilted to starboard, so that the bow is to the right. */
 const FROM: Partial<Record<CameraName, Vec3>> = { top: [0, -0.002, 1], section: [0, -1, 0.1] };
@@ -104,7 +108,7 @@ export class View {
     this.run = run;
     this.frame = frame;
     this.fleet.build(run, this.start, this.palette, this.isPlain);
-    this.seabed.place(run.lines, frame.line_points);
+    this.seabed.place(run.lines, frame.line_points, this.levelSeabed(run));
     this.fleet.tint(this.tints);
     const axes = this.framesShown ? FRAME_LENGTH * this.fleet.size : 0;
     this.eye.watch(this.fleet.drawn.map((box) => withFrame(box, 1.3 * axes)), frame.poses, this.start.poses);
@@ -119,6 +123,12 @@ export class View {
     if (refit ? !this.lookBy(run.model.view.camera, true) : !this.cameras().includes(this.camera)) this.look("free");
     else if (this.camera === "section") this.cut(true);
     this.stale = true;
+  }
+
+  private levelSeabed({ model }: Shown): LevelSeabed | null {
+    const [x, y] = this.frame.poses as number[];
+    const depth_m = model.sea?.depth_m ?? null;
+    return depth_m === null ? null : { x, y, depth_m, radius_m: SEABED * Math.max(depth_m, this.fleet.size) };
   }
 
   /** Shows the overlays of a moment. */

@@ -149,7 +149,7 @@ class Builder {
     if (!outline.hasDeck) return;
     const hull = new Place(poses, i);
     const obstacles = model.bodies.flatMap((_, k) => {
-      if (k === i || roles[k] === "tank" || roles[k] === "hull" || roles[k] === "quay") return [];
+      if (k === i || roles[k] === "tank" || roles[k] === "hull" || roles[k] === "quay" || model.tanks.some(({ name }) => name === model.bodies[k].name)) return [];
       const place = new Place(poses, k);
       const { low, high } = boxes[k];
       const corners = [low[0], high[0]].flatMap((x) => [low[1], high[1]].flatMap((y) => [low[2], high[2]].map((z): Vec3 => [x, y, z])));
