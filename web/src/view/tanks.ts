@@ -5,7 +5,7 @@ import type { Palette } from "./palette";
 /** Distance of the drawn liquid from the walls, relative to the smallest edge of its room. */
 const WALL = 0.02;
 /** Share of foam in the colour of the liquid, and the share of it that shines: it is seen through a hull, against the sea. */
-const LIGHT = { foam: 0.3, own: 0.4 };
+const LIGHT = { foam: 0.05, own: 0.5 };
 
 /** Returns the value of a column at the present moment; NaN if there is no such column. */
 export type Reading = (column: string) => number;

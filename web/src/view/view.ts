@@ -42,8 +42,9 @@ const LABEL_PX = 58;
 /** Length of a body frame, relative to the longest diagonal of a body. */
 const FRAME_LENGTH = 0.14;
 
-/** Density of the fog under water, times the longest diagonal of a body. */
+/** Density of the fog under water, times the longest diagonal of a body or a share of the distance to the target. */
 const FOG = 0.22;
+const SEEN = 0.6;
 
 /** Radius of the seabed that is drawn at the depth of the sea, in depths or sizes of the model, whichever is more. */
 const SEABED = 3;
@@ -333,9 +334,11 @@ export class View {
   private lookFrom({ x, y, z }: { x: number; y: number; z: number }): void {
     const water_m = this.sea.heightAt(x, y);
     const isUnder = water_m !== null && z < water_m;
-    if (this.air.underWater.value === isUnder) return;
     this.air.underWater.value = isUnder;
-    this.scene.fog = isUnder ? new FogExp2(fogColour(this.palette), FOG / this.eye.size()) : null;
+    if (!isUnder) return void (this.scene.fog = null);
+    const range_m = Math.max(this.eye.size(), SEEN * this.eye.camera.position.distanceTo(this.eye.target));
+    if (!(this.scene.fog instanceof FogExp2)) this.scene.fog = new FogExp2(fogColour(this.palette));
+    (this.scene.fog as FogExp2).density = FOG / range_m;
   }
 
   private addFrames(length: number): void {
