@@ -1,5 +1,5 @@
 import { PILLARS } from "../src/view/craft/column";
-import { Box3, Color, Raycaster, Vector3 } from "three";
+import { Box3, Raycaster, Vector3 } from "three";
 import type { BufferGeometry } from "three";
 import { describe, expect, it } from "vitest";
 import type { DrawnLine } from "../src/engine/engine";
@@ -7,13 +7,10 @@ import { anchorsOf, distanceFrom } from "../src/view/craft/anchors";
 import { distance, Place } from "../src/view/craft/place";
 import { rolesOf } from "../src/view/craft/roles";
 import { craftOf, sceneOf } from "../src/view/craft/craft";
-import type { Palette } from "../src/view/palette";
 import { boxOf, shapedHullOf } from "../src/view/solids";
 import { gallery } from "./gallery";
 import { opened } from "./opened";
-
-const COLOURS = ["hull", "bottom", "stripe", "deck", "marking", "load", "plain", "barrel", "rod", "pin", "line", "house", "window", "fitting"];
-const PALETTE = { ...Object.fromEntries(COLOURS.map((name) => [name, new Color(0.5, 0.5, 0.5)])), isDark: false } as unknown as Palette;
+import { PALETTE } from "./palette";
 
 /** Distance of an anchor from the seabed, m. */
 const ROUNDING_M = 0.01;
@@ -106,6 +103,7 @@ describe("roles of bodies", () => {
     expect(await rolesIn("dual_draglink_crane")).toMatchObject({ drag_link_port: "link", drag_link_starboard: "link", jib: "boom" });
     expect(await rolesIn("supply_boat_lift")).toMatchObject({ boat: "hull", lift: "cargo" });
     expect(await rolesIn("container_to_quay")).toMatchObject({ quay: "quay", container: "cargo" });
+    expect(await rolesIn("gyro_wave_energy")).toMatchObject({ gimbal_port: "gimbal", wheel_port: "wheel" });
     expect(new Set(Object.values(await rolesIn("chain")))).toEqual(new Set(["other"]));
   });
 });

@@ -150,7 +150,8 @@ describe("default plots", () => {
     const simulation = new Simulation(text, name, "{}", await filesOf(text));
     const channels = JSON.parse(simulation.channels_json()) as Channel[];
     const columns = new Columns(channels);
-    const plots = new Figures(readModel(simulation.model_json()), channels).defaults();
+    const named = readModel(simulation.model_json());
+    const plots = new Figures({ ...named, view: { ...named.view, plots: [] } }, channels).defaults();
     const rows = [simulation.row()];
     for (let i = 0; i < 20; i++) {
       simulation.step(Math.round(time_s / 20 / simulation.step_s()));

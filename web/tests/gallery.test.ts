@@ -2,8 +2,11 @@ import { describe, expect, it } from "vitest";
 import { cornersOf, cross, dot, frame, unit } from "../src/view/fit";
 import type { Vec3 } from "../src/view/fit";
 import { boxOf, shapedHullOf } from "../src/view/solids";
+import { craftOf } from "../src/view/craft/craft";
+import { viewpointOf } from "../src/view/viewpoint";
 import { gallery } from "./gallery";
 import { opened } from "./opened";
+import { PALETTE } from "./palette";
 
 /** View from the starboard quarter and above, in a desktop window. */
 const BACK = unit([-0.62, -1, 0.62]);
@@ -27,6 +30,23 @@ describe.each(gallery)("%s of the gallery", (name) => {
     const { model } = (await opened(name)).run;
     expect(model.title).not.toBe("");
     expect(model.description.length).toBeGreaterThan(80);
+  });
+
+  it("a scenario of the gallery names a camera that its picture offers, and up to three plots of columns of one unit", async () => {
+    const { run, start } = await opened(name);
+    const { camera, plots } = run.model.view;
+    const { load, cab, bridge } = craftOf(run, start, PALETTE);
+    const offered = ["free", "top", ...(load === null ? [] : ["load"]), ...(cab ? ["cab"] : []), ...(bridge ? ["bridge"] : [])];
+    const asked = viewpointOf(camera);
+    expect(typeof asked === "string" ? offered : "a place").toContain(typeof asked === "string" ? asked : "place");
+    expect(plots.length).toBeGreaterThan(0);
+    expect(plots.length).toBeLessThanOrEqual(3);
+    const units = new Map(run.channels.flatMap(({ columns, units }) => columns.map((column, i) => [column, units[i]] as const)));
+    for (const plot of plots) {
+      expect(plot.length).toBeGreaterThan(0);
+      expect(new Set(plot.map((column) => units.get(column) ?? `no ${column}`)).size).toBe(1);
+      expect(plot.filter((column) => !units.has(column))).toEqual([]);
+    }
   });
 
   it("a scenario of the gallery runs with finite numbers, and a body moves", async () => {

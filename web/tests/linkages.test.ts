@@ -21,6 +21,8 @@ const MODEL: ModelInfo = {
     { ...BODY, name: "boom" },
   ],
   joints: [],
+  wind: null,
+  tanks: [],
   elements: [],
   connections: [],
   steps: [],

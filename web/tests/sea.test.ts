@@ -10,7 +10,7 @@ import { channelOf, CHANNELS, FakeEngine } from "./fake";
 function model(wave_components: number): ModelInfo {
   return {
     ...readModel(new FakeEngine().model_json()),
-    sea: { density_kg_m3: 1025, depth_m: null, wave_components, cut_spectra: [] },
+    sea: { density_kg_m3: 1025, depth_m: null, current_m_s: [0, 0], wave_components, cut_spectra: [] },
     hulls: [{ name: "water", body: "ship", origin_m: [0, 0, 1.5], draught_m: 2, length_m: 20, beam_m: 10, is_linear: true, mesh: null }],
   };
 }

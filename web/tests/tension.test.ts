@@ -48,3 +48,11 @@ it("the seabed is below the lines that can lie on it, and reaches beyond them", 
   seabed.place(lines.slice(0, 1), at);
   expect(seabed.visible).toBe(false);
 });
+
+it("in a sea of finite depth the seabed is around the model even without lines on it", () => {
+  const seabed = new Seabed();
+  seabed.place([], [], { x: 3, y: 4, depth_m: 40, radius_m: 240 });
+  expect(seabed.visible).toBe(true);
+  expect([seabed.position.x, seabed.position.y, seabed.scale.x]).toEqual([3, 4, 240]);
+  expect(seabed.position.z).toBeCloseTo(-40, 0);
+});

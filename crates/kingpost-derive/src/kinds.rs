@@ -6,11 +6,11 @@ use syn::{Data, DeriveInput};
 
 use crate::naming::snake_case;
 
-/// Returns the implementation of `Assemble`: each kind assembles its elements.
+/// Returns the implementation of `Assemble`: each kind assembles its elements and shows its tank.
 pub fn assembly(item: &DeriveInput) -> Tokens {
     let name = &item.ident;
     let Data::Enum(data) = &item.data else { return Tokens::new() };
-    let kinds = data.variants.iter().map(|variant| &variant.ident);
+    let kinds: Vec<_> = data.variants.iter().map(|variant| &variant.ident).collect();
     quote! {
         impl<S: crate::scenario::leaf::Quantity> crate::scenario::assembly::assemble::Assemble<S> for #name<S> {
             fn assemble(
@@ -20,6 +20,12 @@ pub fn assembly(item: &DeriveInput) -> Tokens {
             ) -> Result<Vec<crate::elements::AnyElement<S>>, crate::scenario::error::FieldError> {
                 match self {
                     #(Self::#kinds(given) => given.assemble(name, at),)*
+                }
+            }
+
+            fn tank(&self, name: &str, scenario: &crate::scenario::schema::Scenario<S>) -> Option<crate::elements::DrawnTank> {
+                match self {
+                    #(Self::#kinds(given) => given.tank(name, scenario),)*
                 }
             }
         }

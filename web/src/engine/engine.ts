@@ -8,6 +8,7 @@ import type {
   Description,
   DrawnLine,
   DrawnSeabed,
+  DrawnTank,
   HullDescription,
   Input,
   LimitDescription,
@@ -16,6 +17,7 @@ import type {
   ParameterDescription,
   PointDescription,
   SphereShape,
+  TankRoom,
   TaskDescription,
   Warning,
 } from "../generated/model";
@@ -36,6 +38,8 @@ export type LimitInfo = LimitDescription;
 export type LoopInfo = LoopDescription;
 export type MeshInfo = MeshDescription;
 export type PointInfo = PointDescription;
+export type TankInfo = DrawnTank;
+export type RoomInfo = TankRoom;
 export type TaskInfo = TaskDescription;
 
 export type Value = boolean | number | string;

@@ -209,7 +209,9 @@ export class Runner {
     if ("input" in change) engine.set_input(change.input, change.value);
     else engine.set_parameter(change.parameter, JSON.stringify(change.value));
     this.changes.make(change);
-    if ("parameter" in change) this.isSet = true;
+    if (!("parameter" in change)) return;
+    this.isSet = true;
+    this.grid?.change(readModel(engine.model_json()));
   }
 
   /** Makes the changes of a link that are due now; if the engine refuses one, the run ends. */

@@ -29,6 +29,7 @@ export class Picture {
         view.showTensions([]);
         view.build(run, frame, isAnother);
         view.showTensions(this.tensions.read(frame.row));
+        view.showLevels((column) => run.columns.read(frame.row, column));
         view.showSea(frame.surface);
         if (isAnother && camera !== "") this.look(camera);
       },
@@ -65,6 +66,7 @@ export class Picture {
     if (moment && moment.poses !== this.drawn) {
       view.show(moment);
       view.showSea(moment.surface);
+      view.showLevels((column) => session.run?.columns.read(moment.row, column) ?? NaN);
       if (this.tensions) view.showTensions(this.tensions.read(moment.row));
       this.drawn = moment.poses;
     }

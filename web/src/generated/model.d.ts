@@ -104,9 +104,17 @@ export interface Description {
    */
   sea: SeaDescription | null;
   /**
+   * The wind, if there is any.
+   */
+  wind: WindDescription | null;
+  /**
    * The hulls in it, in the order of results.
    */
   hulls: HullDescription[];
+  /**
+   * The tanks with liquids that move.
+   */
+  tanks: DrawnTank[];
   /**
    * The objects that are lowered through its surface, in the order of results.
    */
@@ -286,6 +294,13 @@ export interface JointDescription {
    * `floating`, `revolute` and so on, as in the scenario; `elastic` between the segments of a flexible body.
    */
   kind: string;
+  /**
+   * Unit vector of the axis about which it turns, axes of the child body; absent if it has no such axis, or several.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  axis: [number, number, number] | null;
   /**
    * Names of its coordinates that move freely.
    */
@@ -544,6 +559,13 @@ export interface SeaDescription {
    */
   depth_m: number | null;
   /**
+   * Velocity of the current at the surface, world x and y, m/s.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  current_m_s: [number, number];
+  /**
    * Number of regular waves in the sea; 0 for calm water.
    */
   wave_components: number;
@@ -568,6 +590,22 @@ export interface CutSpectrum {
    * Share of its energy that is cut off.
    */
   energy_cut_off: number;
+}
+/**
+ * The wind to draw.
+ */
+export interface WindDescription {
+  /**
+   * Mean velocity at the reference height, world x and y, m/s.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  velocity_m_s: [number, number];
+  /**
+   * Reference height above the still water, m.
+   */
+  height_m: number;
 }
 /**
  * A hull in the water, to draw.
@@ -621,6 +659,54 @@ export interface MeshDescription {
    * Indices of vertices, counter-clockwise seen from the water.
    */
   triangles: [number, number, number][];
+}
+/**
+ * A tank in a body, with the liquid in it.
+ */
+export interface DrawnTank {
+  /**
+   * Name of its element, and of the liquid's body.
+   */
+  name: string;
+  /**
+   * The body that carries it.
+   */
+  body: string;
+  /**
+   * Its rooms, each a box with its edges along the axes of that body.
+   */
+  rooms: TankRoom[];
+}
+/**
+ * A room of a tank, with a surface of the liquid that stays parallel to its bottom.
+ */
+export interface TankRoom {
+  /**
+   * Corner with the smallest coordinates, from the body's centre of mass, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  low_m: [number, number, number];
+  /**
+   * Corner with the largest coordinates, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  high_m: [number, number, number];
+  /**
+   * Level of the liquid at rest above the bottom, m.
+   */
+  level_m: number;
+  /**
+   * Column of the results with the level; absent if the level is constant.
+   */
+  level_column: string | null;
+  /**
+   * Height above the bottom at which this column is 0, m.
+   */
+  level_zero_m: number;
 }
 /**
  * An object that is lowered through the surface.

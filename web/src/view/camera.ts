@@ -1,7 +1,7 @@
 import { PerspectiveCamera, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import type { Post } from "./craft/craft";
-import { fitDistance, frame, gatheredCorners, reachOf, roomIn, unit } from "./fit";
+import { backOf, fitDistance, frame, gatheredCorners, reachOf, roomIn, unit, vec3 } from "./fit";
 import type { Area, Box, Vec3 } from "./fit";
 import { Outlook } from "./outlook";
 import type { Place } from "./viewpoint";
@@ -25,6 +25,8 @@ const MARGIN = 1.16;
 const EDGE = 1.06;
 /** Time constant with which the camera steps back, ms. */
 const STEP_BACK_MS = 180;
+/** Ratio of width to height of the picture for which places are given, in which the whole field of view is free. */
+const GIVEN_ASPECT = 1.6;
 const KEY_TURN = Math.PI / 36;
 const KEY_ZOOM = 0.9;
 
@@ -48,6 +50,8 @@ export class Eye {
   private height = 1;
   /** Part of the picture that no controls cover. */
   private room: Area = { left: 0, top: 0, right: 1, bottom: 1 };
+  /** Place that is given for any picture, until the user turns or zooms the view. */
+  private given: Place | null = null;
   /** Whether the user has turned or zoomed the view, which then stays until the next fit. */
   isTaken = false;
   /** Place of the eye in a picture of a fixed size; null on the page. */
@@ -67,7 +71,7 @@ export class Eye {
     this.orbit.dampingFactor = 0.12;
     this.orbit.maxPolarAngle = LOWEST;
     this.orbit.addEventListener("change", moved);
-    this.orbit.addEventListener("start", () => (this.isTaken = true));
+    this.orbit.addEventListener("start", () => this.take());
     this.outlook = new Outlook(this.camera, canvas, moved);
     canvas.addEventListener("keydown", (event) => this.key(event));
   }
@@ -117,13 +121,14 @@ export class Eye {
 
   /** Shows the view of a person on a body; `target` is the body to look at. */
   standAt(post: Post, target: number | null): void {
-    this.isTaken = true;
+    this.take();
     this.orbit.enabled = false;
     this.outlook.take(post, target);
     this.moved();
   }
 
   private leavePost(): void {
+    this.given = null;
     this.outlook.leave();
     this.orbit.enabled = true;
     this.useLens();
@@ -194,6 +199,7 @@ export class Eye {
     [this.width, this.height] = [width, height];
     this.camera.aspect = width / height;
     if (this.outlook.isTaken) this.camera.updateProjectionMatrix();
+    else if (this.given) this.give(this.given);
     else if (this.isTaken) this.makeRoom(this.corners());
     else this.fit();
   }
@@ -247,6 +253,21 @@ export class Eye {
     this.put({ eye, target });
     this.orbit.update();
     this.moved();
+  }
+
+  /** Shows the view from a place that is given for any picture: in a small or narrow one the eye steps back. */
+  give(place: Place): void {
+    this.makeRoom([]);
+    const { eye, target } = place;
+    const factor = backOf(this.lens(), { fov: this.fov, aspect: GIVEN_ASPECT });
+    this.place = { target, eye: vec3((k) => target[k] + factor * (eye[k] - target[k])) };
+    this.given = place;
+  }
+
+  /** Leaves the view to the user. */
+  private take(): void {
+    this.isTaken = true;
+    this.given = null;
   }
 
   /** Vertical field of view, rad. */
@@ -319,7 +340,7 @@ export class Eye {
 
   private turn(around: number, down: number): void {
     if (this.outlook.isTaken) return this.outlook.turn(around, down);
-    this.isTaken = true;
+    this.take();
     const offset = this.camera.position.clone().sub(this.orbit.target);
     const distance = offset.length();
     const azimuth = Math.atan2(offset.y, offset.x) + around;
@@ -332,7 +353,7 @@ export class Eye {
 
   private zoom(factor: number): void {
     if (this.outlook.isTaken) return;
-    this.isTaken = true;
+    this.take();
     const offset = this.camera.position.clone().sub(this.orbit.target).multiplyScalar(factor);
     this.camera.position.copy(this.orbit.target).add(offset);
     this.orbit.update();

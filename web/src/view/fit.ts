@@ -152,3 +152,9 @@ export function roomIn(width: number, height: number, covers: readonly Area[], w
 function sizeOf({ left, top, right, bottom }: Area): number {
   return Math.max(0, right - left) * Math.max(0, bottom - top);
 }
+
+/** Returns the factor by which an eye steps back so that a picture shows at least what another lens shows; at least 1. */
+export function backOf(lens: Lens, least: Lens): number {
+  const [tan, needed] = [lens, least].map(({ fov }) => Math.tan(fov / 2));
+  return Math.max(1, needed / tan, (needed * least.aspect) / (tan * lens.aspect));
+}

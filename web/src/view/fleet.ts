@@ -1,4 +1,4 @@
-import { Box3, DoubleSide, FrontSide, Group, Material, Mesh, Sprite } from "three";
+import { Box3, DoubleSide, FrontSide, Group, LineSegments, Material, Mesh, Sprite } from "three";
 import type { Object3D, Plane } from "three";
 import type { Run } from "../app/session";
 import type { Frame } from "../engine/messages";
@@ -6,11 +6,15 @@ import { craftOf } from "./craft/craft";
 import type { Craft } from "./craft/craft";
 import { rolesOf } from "./craft/roles";
 import type { Box } from "./fit";
+import { insidesOf, seeThrough } from "./insides";
+import type { Insides } from "./insides";
 import { Linkages } from "./linkages";
 import { DrawnLines } from "./lines";
 import type { Palette } from "./palette";
 import { boxOf, edgesOf, shapedHullOf, solidOf } from "./solids";
 import { Stays } from "./stays";
+import { Tanks } from "./tanks";
+import type { Reading } from "./tanks";
 import type { Tints } from "./tension";
 
 /** Data of a run that are needed to draw it. */
@@ -30,6 +34,9 @@ export class Fleet {
   private linkages: Linkages | null = null;
   private lines: DrawnLines | null = null;
   private stays: Stays | null = null;
+  private isPlain = false;
+  private tanks: Tanks | null = null;
+  private insides: Insides = { glass: new Set(), weights: new Set(), liquids: new Set() };
 
   /**
    * Builds the bodies and their connections; `start` holds the poses at the start of the run, from which the
@@ -37,12 +44,17 @@ export class Fleet {
    */
   build({ model, lines }: Shown, start: Pose, palette: Palette, isPlain: boolean): void {
     this.clear();
+    this.isPlain = isPlain;
     const hulls = model.bodies.map(({ name }) => shapedHullOf(model, name));
     this.craft = craftOf({ model, lines }, start, palette);
     this.boxes = model.bodies.map((body, i) => boxOf(body, hulls[i]));
     const roles = rolesOf(model);
     this.bodies = model.bodies.map((body, i) => new Group().add(isPlain ? solidOf(body, palette, roles[i] === "hull", hulls[i]) : this.craft!.works[i].object()));
     this.drawn = this.bodies.map((body, i) => (isPlain ? this.boxes[i] : boxOfObject(body)));
+    this.insides = insidesOf(model, roles, this.boxes, start.poses);
+    this.showWeights(isPlain);
+    if (!isPlain) for (const hull of this.insides.glass) seeThrough(this.bodies[hull]);
+    this.tanks = new Tanks(model, this.bodies, palette);
     this.world.add(...this.bodies);
     const thickness = this.boxes.map((box) => Math.min(...edgesOf(box)));
     this.linkages = new Linkages(model, this.bodies, thickness, this.world, palette);
@@ -67,6 +79,22 @@ export class Fleet {
     this.lines?.tint(tints);
   }
 
+  /** Sets the levels of the liquids in tanks. */
+  fill(read: Reading): void {
+    this.tanks?.fill(read);
+  }
+
+  /** Whether a hull is seen through. */
+  get hasGlass(): boolean {
+    return this.insides.glass.size > 0;
+  }
+
+  /** Shows or hides the weights that are fixed inside hulls; a liquid is drawn in its tank, not as a body. */
+  private showWeights(isShown: boolean): void {
+    for (const body of this.insides.weights) this.bodies[body].visible = isShown;
+    for (const body of this.insides.liquids) this.bodies[body].visible = false;
+  }
+
   /** The longest diagonal of a body's solid, m. */
   get size(): number {
     return Math.max(0.1, ...this.boxes.map((box) => Math.hypot(...edgesOf(box))));
@@ -74,6 +102,7 @@ export class Fleet {
 
   /** Cuts a body along a plane and shows its inside; a null plane removes the cut. */
   cut(body: number, plane: Plane | null): void {
+    this.showWeights(plane !== null || this.isPlain);
     this.bodies[body]?.traverse((object) => {
       if (!(object instanceof Mesh && object.material instanceof Material)) return;
       const { material } = object;
@@ -97,7 +126,7 @@ function boxOfObject(object: Object3D): Box {
 
 export function dispose(object: Object3D): void {
   if (object instanceof Sprite) object.material.map?.dispose();
-  if (object instanceof Mesh || object instanceof Sprite) {
+  if (object instanceof Mesh || object instanceof Sprite || object instanceof LineSegments) {
     object.geometry.dispose();
     object.material.dispose();
   }

@@ -4,12 +4,13 @@ import type { BackgroundEngine } from "../app/background_engine";
 import { Playback } from "../app/recording/playback";
 import type { Session } from "../app/session";
 import type { ModelInfo } from "../engine/engine";
-import { shipsInTheSea } from "../engine/surface";
+import { inTheSea } from "../engine/surface";
 import { length } from "../app/format";
 import type { Runs } from "../runs/runs";
 import type { Highlight } from "../equations/highlight";
 import { texts } from "../texts";
 import { byId, setText } from "../ui/dom";
+import { FlowArrows } from "./flow_arrows";
 import type { OtherRun } from "./overlays/overlays";
 import { Watched } from "./overlays/watched";
 import type { Size } from "./size";
@@ -61,6 +62,7 @@ export function createScene(session: Session, background: BackgroundEngine): Sce
   const watched = new Watched(session, background, view);
   const tools = new Tools(view, watched);
   const legend = new TensionLegend();
+  const flows = new FlowArrows();
   let tensions: Tensions | null = null;
   byId("fit").addEventListener("click", () => view.fit());
   session.listen({
@@ -72,6 +74,7 @@ export function createScene(session: Session, background: BackgroundEngine): Sce
       legend.show(tensions);
       view.build(run, frame, isAnother);
       view.showTensions(tints);
+      view.showLevels((column) => run.columns.read(frame.row, column));
       view.showSea(frame.surface);
       tools.offer();
       setText(byId("scene-note"), noteOf(run.model, view.spacing()));
@@ -92,6 +95,7 @@ export function createScene(session: Session, background: BackgroundEngine): Sce
       if (moment && moment.poses !== drawn) {
         view.show(moment);
         view.showSea(moment.surface);
+        view.showLevels((column) => session.run?.columns.read(moment.row, column) ?? NaN);
         if (tensions) view.showTensions(tensions.read(moment.row));
         legend.show(tensions);
         watched.show(moment);
@@ -101,6 +105,7 @@ export function createScene(session: Session, background: BackgroundEngine): Sce
       due?.();
       due = null;
       const isNew = view.draw();
+      if (moment) flows.show(moment.surface?.flows, view.ahead);
       watched.showScale();
       return isNew;
     },
@@ -170,7 +175,7 @@ function otherAt(runs: Runs | null, { run }: Session, time_s: number): OtherRun 
 function noteOf(model: ModelInfo, spacing: number): string {
   const { sea } = model;
   if (!sea) return texts.picture.no_water(length(spacing));
-  if (shipsInTheSea(model).length === 0) return texts.picture.water_without_hull(length(spacing));
+  if (inTheSea(model).length === 0) return texts.picture.water_without_hull(length(spacing));
   if (sea.wave_components === 0) return texts.picture.still_water;
   return texts.picture.waves(sea.wave_components);
 }

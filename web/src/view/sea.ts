@@ -1,8 +1,9 @@
-import { BufferAttribute, BufferGeometry, DoubleSide, DynamicDrawUsage, Mesh, ShaderMaterial, UniformsLib, UniformsUtils } from "three";
+import { BufferAttribute, BufferGeometry, DoubleSide, DynamicDrawUsage, Mesh, ShaderMaterial, UniformsLib, UniformsUtils, Vector3 } from "three";
 import { OFFSETS } from "../engine/surface";
 import type { Surface } from "../engine/surface";
 import { FINISH_GLSL, SKY_GLSL, WATER_GLSL } from "./air";
 import type { Air } from "./air";
+import type { Sight } from "./sight";
 import { setDefine } from "./sky";
 import { drawnWaves, heightAt, refined, roughness } from "./waves";
 import type { DrawnWaves } from "./waves";
@@ -20,10 +21,29 @@ const RIPPLE_SLOPE = { waves: 0.16, still: 0.05 };
 const DRIFT_PER_S = 0.03;
 /** Share of the light from below the surface, seen steeply: of the usual sea, and of one above lines whose colours matter. */
 const CLARITY = { usual: 0.26, above_lines: 0.8 };
+/** Share of the light from below the surface where the eye looks at something that is under it. */
+const SIGHT = 0.8;
 /** Distance of the haze, in lengths of the hull. */
 const VISIBILITY = 45;
 /** Largest time step of the ripples per frame, s, so that they do not jump after a pause. */
 const LONGEST_FRAME_S = 0.1;
+
+/** Shader code for the share of the light from below: more if the surface is seen steeply, and most around the line of sight. */
+const CLEAR_GLSL = /* glsl */ `
+  uniform vec3 sightTop, sightBottom;
+  uniform float sight_m, clarity;
+  // Share of the sight at a place: 1 if the ray beyond it passes near the line from the top to the bottom.
+  float sightAt(vec3 place, vec3 towards) {
+    if (sight_m <= 0.0) return 0.0;
+    vec3 way = sightBottom - sightTop, from = place - sightTop;
+    float along = dot(towards, way), square = max(dot(way, way), 1e-6);
+    float share = (dot(way, from) - along * dot(towards, from)) / max(square - along * along, 1e-6 * square);
+    vec3 nearest = sightTop + clamp(share, 0.0, 1.0) * way - place;
+    return 1.0 - smoothstep(0.3 * sight_m, sight_m, length(nearest - max(dot(nearest, towards), 0.0) * towards));
+  }
+  float clearAt(vec3 place, vec3 towards) {
+    return max(clarity * smoothstep(0.05, 0.75, -towards.z), ${SIGHT} * sightAt(place, towards));
+  }`;
 
 const VERTEX = /* glsl */ `
   #include <common>
@@ -71,13 +91,16 @@ const FRAGMENT = /* glsl */ `
   varying vec3 cover;
   #ifdef FLAT
     varying vec3 tint;
+    ${CLEAR_GLSL}
     void main() {
-      gl_FragColor = vec4(tint, 1.0);
+      vec3 towards = normalize(place - cameraPosition);
+      gl_FragColor = vec4(tint, towards.z < 0.0 ? 1.0 - clearAt(place, towards) : 1.0);
       ${FINISH_GLSL}
     }
   #else
     uniform vec2 edgeMiddle;
-    uniform float edge_m, clarity;
+    uniform float edge_m;
+    ${CLEAR_GLSL}
     ${SKY_GLSL}
     ${WATER_GLSL}
     // Foam breaks up into streaks and flecks.
@@ -97,8 +120,7 @@ const FRAGMENT = /* glsl */ `
       } else {
         float foam = flecked(cover.x, place.xy);
         vec3 colour = hazed(waterColour(-towards, normal, cover.y, foam, light), towards, distance_m);
-        // Seen steeply from above, the surface is partly transparent.
-        float seenThrough = clarity * smoothstep(0.05, 0.75, -towards.z) * (1.0 - foam);
+        float seenThrough = clearAt(place, towards) * (1.0 - foam);
         float end = 1.0 - smoothstep(0.8 * edge_m, edge_m, length(place.xy - edgeMiddle));
         gl_FragColor = vec4(colour, (1.0 - seenThrough) * end);
       }
@@ -138,6 +160,9 @@ export class Sea extends Mesh<BufferGeometry, ShaderMaterial> {
       edge_m: { value: 1 },
       edgeMiddle: { value: [0, 0] },
       clarity: { value: CLARITY.usual },
+      sightTop: { value: new Vector3() },
+      sightBottom: { value: new Vector3() },
+      sight_m: { value: 0 },
     };
     this.frustumCulled = false;
     this.receiveShadow = true;
@@ -147,10 +172,16 @@ export class Sea extends Mesh<BufferGeometry, ShaderMaterial> {
   /** Sets the level of detail: with or without ripples and interpolated lines. */
   detail(ripples: boolean): void {
     setDefine(this.material, "FLAT", !ripples);
-    this.material.transparent = ripples;
+    this.blend(ripples);
     if (ripples === this.isFine && this.shares.length > 0) return;
     this.isFine = ripples;
     this.show(this.surface);
+  }
+
+  /** Sets whether something shows through the surface: without ripples only where it is clearer than usual. */
+  private blend(ripples: boolean): void {
+    const { clarity, sight_m } = this.material.uniforms;
+    this.material.transparent = ripples || sight_m.value > 0 || clarity.value > CLARITY.usual;
   }
 
   /** Shows a surface; null hides the sea. */
@@ -170,9 +201,18 @@ export class Sea extends Mesh<BufferGeometry, ShaderMaterial> {
     this.suit(drawn);
   }
 
-  /** Makes the water clear enough for the colours of lines below the surface. */
+  /** Makes the water clear enough for lines and tanks below the surface. */
   showBelow(isClear: boolean): void {
     this.material.uniforms.clarity.value = isClear ? CLARITY.above_lines : CLARITY.usual;
+    this.blend(this.isFine);
+  }
+
+  /** Makes the water clear around the line of sight to something below the surface; null for nothing. */
+  look(sight: Sight | null): void {
+    const { sightTop, sightBottom, sight_m } = this.material.uniforms;
+    sight_m.value = sight?.radius_m ?? 0;
+    if (sight) [sightTop.value, sightBottom.value] = [sight.top, sight.bottom].map((place) => new Vector3(...place));
+    this.blend(this.isFine);
   }
 
   /** Whether there is a sea, visible or not. */

@@ -13,6 +13,14 @@ const RINGS = 12;
 const SECTORS = 64;
 const UP = new Vector3(0, 0, 1);
 
+/** A level seabed at the depth of the sea: around a position, m. */
+export interface LevelSeabed {
+  x: number;
+  y: number;
+  depth_m: number;
+  radius_m: number;
+}
+
 /** Plane seabed under the lines that can lie on it: a disc that fades out. */
 export class Seabed extends Mesh<CircleGeometry, MeshBasicMaterial> {
   constructor() {
@@ -27,8 +35,11 @@ export class Seabed extends Mesh<CircleGeometry, MeshBasicMaterial> {
     this.material.color.copy(seabed).lerp(deep, IN_WATER);
   }
 
-  /** Places the seabed below the present points of the lines; hides it if no line can lie on one. */
-  place(lines: readonly DrawnLine[], points: ArrayLike<number>): void {
+  /**
+   * Places the seabed below the present points of the lines that can lie on one; without such a line, around the first
+   * body at the depth of the sea. Hides it in a sea without a seabed.
+   */
+  place(lines: readonly DrawnLine[], points: ArrayLike<number>, level: LevelSeabed | null = null): void {
     const low = [1, 2].map((k) => k * Infinity), high = low.map((most) => -most);
     const beds = lines.flatMap(({ seabed }) => (seabed === null ? [] : [seabed]));
     let from = 0;
@@ -43,15 +54,18 @@ export class Seabed extends Mesh<CircleGeometry, MeshBasicMaterial> {
       }
       from += 3 * count;
     }
-    this.visible = beds.length > 0;
-    if (!this.visible) return;
+    this.visible = beds.length > 0 || level !== null;
+    if (beds.length === 0) return level ? this.lay([level.x, level.y], { height_m: -level.depth_m, gradient: [0, 0] }, level.radius_m) : undefined;
     const [x, y] = [0, 1].map((k) => (low[k] + high[k]) / 2);
     const heightOf = ({ height_m, gradient }: DrawnSeabed) => height_m + gradient[0] * x + gradient[1] * y;
     const lowest = beds.reduce((one, other) => (heightOf(other) < heightOf(one) ? other : one));
-    const radius = (REACH * Math.hypot(high[0] - low[0], high[1] - low[1])) / 2;
+    this.lay([x, y], { ...lowest, height_m: heightOf(lowest) }, (REACH * Math.hypot(high[0] - low[0], high[1] - low[1])) / 2);
+  }
+
+  private lay([x, y]: readonly [number, number], { height_m, gradient }: DrawnSeabed, radius: number): void {
     this.scale.set(radius, radius, 1);
-    this.quaternion.setFromUnitVectors(UP, new Vector3(-lowest.gradient[0], -lowest.gradient[1], 1).normalize());
-    this.position.set(x, y, heightOf(lowest) - BELOW * radius);
+    this.quaternion.setFromUnitVectors(UP, new Vector3(-gradient[0], -gradient[1], 1).normalize());
+    this.position.set(x, y, height_m - BELOW * radius);
   }
 }
 

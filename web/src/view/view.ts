@@ -1,9 +1,9 @@
-import { ACESFilmicToneMapping, FogExp2, PCFShadowMap, Scene, WebGLRenderer } from "three";
+import { ACESFilmicToneMapping, FogExp2, PCFShadowMap, Scene, Vector3, WebGLRenderer } from "three";
 import type { Color } from "three";
 import { onPalette } from "../app/palette";
 import type { Moment } from "../app/recording/recording";
 import type { Run } from "../app/session";
-import { shipsInTheSea } from "../engine/surface";
+import { inTheSea, shipsInTheSea } from "../engine/surface";
 import type { Surface } from "../engine/surface";
 import { airOf } from "./air";
 import { Cloud } from "./cloud";
@@ -26,9 +26,12 @@ import { Sea } from "./sea";
 import { largestOf, TooLargeError } from "./size";
 import type { Size } from "./size";
 import { Seabed } from "./seabed";
+import type { LevelSeabed } from "./seabed";
 import { Section } from "./section";
+import { reachesDown, sightOf } from "./sight";
 import { withFrame } from "./solids";
 import { gridSpacing } from "./spacing";
+import type { Reading } from "./tanks";
 import type { Tints } from "./tension";
 import { Target } from "./target";
 import { labelScale, triadOf } from "./triad";
@@ -43,8 +46,12 @@ const LABEL_PX = 58;
 /** Length of a body frame, relative to the longest diagonal of a body. */
 const FRAME_LENGTH = 0.14;
 
-/** Density of the fog under water, times the longest diagonal of a body. */
+/** Density of the fog under water, times the longest diagonal of a body or a share of the distance to the target. */
 const FOG = 0.22;
+const SEEN = 0.6;
+
+/** Radius of the seabed that is drawn at the depth of the sea, in depths or sizes of the model, whichever is more. */
+const SEABED = 3;
 
 /** Directions of the views; the view from above is slightly tilted to starboard, so that the bow is to the right. */
 const FROM: Partial<Record<CameraName, Vec3>> = { top: [0, -0.002, 1], section: [0, -1, 0.1] };
@@ -72,6 +79,8 @@ export class View {
   private tints: readonly Tints[] = [];
   private isPlain = false;
   mayDive = false;
+  /** Whether a ship floats in the sea: the eye stays above the water unless the user lets it dive. */
+  private isAfloat = false;
   camera: CameraName = "free";
   private tell: (camera: CameraName) => void = () => {};
   private readonly marks = new Marks();
@@ -107,20 +116,28 @@ export class View {
     this.run = run;
     this.frame = frame;
     this.fleet.build(run, this.start, this.palette, this.isPlain);
-    this.seabed.place(run.lines, frame.line_points);
+    this.seabed.place(run.lines, frame.line_points, this.levelSeabed(run));
     this.target.build(run.model.task?.mark ?? null, this.palette);
     this.fleet.tint(this.tints);
     const axes = this.framesShown ? FRAME_LENGTH * this.fleet.size : 0;
     this.eye.watch(this.fleet.drawn.map((box) => withFrame(box, 1.3 * axes)), frame.poses, this.start.poses);
     if (axes > 0) this.addFrames(axes);
     this.ground.space(this.spacing());
-    this.ground.visible = shipsInTheSea(run.model).length === 0;
+    this.ground.visible = inTheSea(run.model).length === 0;
+    this.isAfloat = shipsInTheSea(run.model).length > 0;
+    this.clear();
     if (this.daylight.surround(!this.ground.visible)) this.detail();
     this.highlight(this.highlighted);
     this.place(frame);
-    if (refit ? !this.lookBy(run.model.view.camera) : !this.cameras().includes(this.camera)) this.look("free");
+    if (refit ? !this.lookBy(run.model.view.camera, true) : !this.cameras().includes(this.camera)) this.look("free");
     else if (this.camera === "section") this.cut(true);
     this.stale = true;
+  }
+
+  private levelSeabed({ model }: Shown): LevelSeabed | null {
+    const [x, y] = this.frame.poses as number[];
+    const depth_m = model.sea?.depth_m ?? null;
+    return depth_m === null ? null : { x, y, depth_m, radius_m: SEABED * Math.max(depth_m, this.fleet.size) };
   }
 
   /** Shows the overlays of a moment. */
@@ -166,19 +183,23 @@ export class View {
     this.stale = true;
   }
 
-  /** Shows a viewpoint by its text, a name or a place; returns false if there is none that the model offers. */
-  lookBy(text: string): boolean {
+  /**
+   * Shows a viewpoint by its text, a name or a place; returns false if there is none that the model offers. From a place
+   * that is `given` for any picture the eye steps back in a small or narrow one.
+   */
+  lookBy(text: string, isGiven = false): boolean {
     const asked = viewpointOf(text);
     if (asked === null || (typeof asked === "string" && !this.cameras().includes(asked))) return false;
     if (typeof asked === "string") this.look(asked);
-    else this.lookAt(asked);
+    else this.lookAt(asked, isGiven);
     return true;
   }
 
   /** Shows the view from a place near the first body. */
-  lookAt(place: Place): void {
+  lookAt(place: Place, isGiven = false): void {
     this.look("free");
-    this.eye.place = place;
+    if (isGiven) this.eye.give(place);
+    else this.eye.place = place;
     this.stale = true;
   }
 
@@ -239,8 +260,19 @@ export class View {
   showTensions(tints: readonly Tints[]): void {
     this.tints = tints;
     this.fleet.tint(tints);
-    this.sea.showBelow(tints.length > 0);
+    this.clear();
     this.stale = true;
+  }
+
+  /** Shows the levels of the liquids in tanks. */
+  showLevels(read: Reading): void {
+    this.fleet.fill(read);
+    this.stale = true;
+  }
+
+  /** Makes the sea clear if lines or tanks below its surface are to be seen. */
+  private clear(): void {
+    this.sea.showBelow(this.tints.length > 0 || this.fleet.hasGlass || reachesDown(this.start.line_points, this.fleet.size));
   }
 
   showFrames(shown: boolean): void {
@@ -259,6 +291,12 @@ export class View {
   showCloud(swarm: Swarm | null): void {
     this.cloud.show(swarm, this.eye.size(), this.palette);
     this.stale = true;
+  }
+
+  /** The direction in which the eye looks, in plan. */
+  get ahead(): readonly [number, number] {
+    const { x, y } = this.eye.camera.getWorldDirection(new Vector3());
+    return [x, y];
   }
 
   fit(): void {
@@ -344,7 +382,7 @@ export class View {
 
   /** Returns the height of the water for the eye, which must stay above it; null if it need not. */
   private waterUnderEye(): ((x: number, y: number) => number | null) | null {
-    return this.mayDive || !this.sea.visible ? null : (x, y) => this.sea.heightAt(x, y);
+    return this.mayDive || !this.isAfloat || !this.sea.visible ? null : (x, y) => this.sea.heightAt(x, y);
   }
 
   private place(frame: Pose): void {
@@ -352,6 +390,7 @@ export class View {
     this.fleet.place(frame);
     this.target.place(poses);
     this.marks.place(this.fleet.bodies);
+    if (this.run) this.sea.look(sightOf(this.run.model, this.fleet.boxes, poses, this.load));
     const hull = this.hull();
     if (this.camera === "section" && hull >= 0) this.section.place(this.fleet.bodies[hull], this.fleet.boxes[hull], (x, y) => this.sea.heightAt(x, y));
     const [x, y, z] = [poses[0] ?? 0, poses[1] ?? 0, poses[2] ?? 0];
@@ -365,9 +404,11 @@ export class View {
   private lookFrom({ x, y, z }: { x: number; y: number; z: number }): void {
     const water_m = this.sea.heightAt(x, y);
     const isUnder = water_m !== null && z < water_m;
-    if (this.air.underWater.value === isUnder) return;
     this.air.underWater.value = isUnder;
-    this.scene.fog = isUnder ? new FogExp2(fogColour(this.palette), FOG / this.eye.size()) : null;
+    if (!isUnder) return void (this.scene.fog = null);
+    const range_m = Math.max(this.eye.size(), SEEN * this.eye.camera.position.distanceTo(this.eye.target));
+    if (!(this.scene.fog instanceof FogExp2)) this.scene.fog = new FogExp2(fogColour(this.palette));
+    (this.scene.fog as FogExp2).density = FOG / range_m;
   }
 
   private addFrames(length: number): void {

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { cases } from "../lane.mjs";
-import { close as near, numberIn, openApp, openFile, PHONE, rested, sample, setPlot, showsNumber, stepTo } from "./app.mjs";
+import { close as near, item, numberIn, openApp, openFile, PHONE, rested, sample, setPlot, showsNumber, stepTo } from "./app.mjs";
 
 /** A barge in a regular wave, with its database. */
 const BARGE = `version: 1
@@ -182,6 +182,30 @@ export default {
     await page.getByTestId("reset").click();
     await page.waitForFunction(() => window.kingpost.sample().time_s === 0);
     near(await numberIn(page, "heel"), 4, 0.005, "heel");
+    await close();
+  },
+
+  async "the arrows of wind and current follow the numbers of a run"(host) {
+    const { page, close } = await openApp(host, { query: "?scenario=offshore_vessel_on_dp" });
+    const shown = (name) => page.getByTestId(name).locator("dd");
+    assert.equal(await shown("wind").textContent(), "12.0 m/s");
+    assert.equal(await shown("current").textContent(), "0.5 m/s");
+    await stepTo(page, 0.2);
+    await item(page, "wind_speed_m_s").fill("6");
+    await item(page, "wind_speed_m_s").blur();
+    await page.waitForFunction(() => window.kingpost.sample().pending.length === 0);
+    await page.getByTestId("step").click();
+    await page.waitForFunction(() => document.querySelector('[data-testid="wind"] dd').textContent === "6.0 m/s");
+    await page.getByTestId("gallery").selectOption("paper");
+    await page.getByTestId("wind").waitFor({ state: "hidden" });
+    await close();
+  },
+
+  async "a scenario under water opens under water, from the place that it names"(host) {
+    const { page, close } = await openApp(host, { query: "?scenario=underwater_vehicle", draws: true });
+    await rested(page);
+    assert.ok((await blue(page)) > 0.6, "water is on most of the picture");
+    assert.equal(await page.getByTestId("camera-free").isChecked(), true);
     await close();
   },
 };

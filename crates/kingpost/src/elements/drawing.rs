@@ -1,4 +1,4 @@
-//! Drawing of an element in views: lines, tubes and pins.
+//! Drawing of an element in views: lines, tubes and pins, and liquids in tanks.
 
 use serde::Serialize;
 
@@ -49,4 +49,32 @@ pub enum LineStyle {
     Rod,
     /// The pin at an end.
     Pin,
+}
+
+/// A tank in a body, with the liquid in it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct DrawnTank {
+    /// Name of its element, and of the liquid's body.
+    pub name: String,
+    /// The body that carries it.
+    pub body: String,
+    /// Its rooms, each a box with its edges along the axes of that body.
+    pub rooms: Vec<TankRoom>,
+}
+
+/// A room of a tank, with a surface of the liquid that stays parallel to its bottom.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct TankRoom {
+    /// Corner with the smallest coordinates, from the body's centre of mass, m.
+    pub low_m: [f64; 3],
+    /// Corner with the largest coordinates, m.
+    pub high_m: [f64; 3],
+    /// Level of the liquid at rest above the bottom, m.
+    pub level_m: f64,
+    /// Column of the results with the level; absent if the level is constant.
+    pub level_column: Option<String>,
+    /// Height above the bottom at which this column is 0, m.
+    pub level_zero_m: f64,
 }

@@ -72,7 +72,7 @@ pub use declaration::{
     WRENCH,
 };
 pub use delay::Delay;
-pub use drawing::{DrawnLine, DrawnSeabed, LineStyle};
+pub use drawing::{DrawnLine, DrawnSeabed, DrawnTank, LineStyle, TankRoom};
 pub use drive_function::{CubicSpline, DriveFunction};
 pub use dynamic_positioning::DynamicPositioning;
 pub use element::{

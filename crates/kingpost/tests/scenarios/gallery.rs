@@ -21,6 +21,15 @@ fn every_scenario_has_a_title_and_a_description() {
     }
 }
 
+#[test]
+fn every_scenario_names_its_camera_and_one_to_three_plots() {
+    for (name, scenario) in gallery() {
+        let view = scenario.view.unwrap_or_else(|| panic!("{name}: a view"));
+        assert!(view.camera.is_some(), "{name}: a camera");
+        assert!((1..=3).contains(&view.plots.len()), "{name}: one to three plots");
+    }
+}
+
 /// One of each kind of machine: held and free, at sea, in contact, over closed loops.
 const BY_DEFAULT: [&str; 5] = ["paper", "barge", "lift_off_from_barge", "knuckle_boom_crane", "gyro_wave_energy"];
 

@@ -1,7 +1,8 @@
-//! Camera and plots that a scenario names for views.
+//! What a scenario says to views: camera and plots that it names, tanks, wind and current, axes of joints.
 
-use crate::common::paper_text;
+use crate::common::{gallery_files, paper_text};
 
+use kingpost::scenario::describe::Description;
 use kingpost::scenario::read;
 use paper_text::PAPER;
 use serde_json::{Value, json};
@@ -59,4 +60,45 @@ fn rejects_views_that_show_nothing() {
         };
         assert!(error.contains(expected), "{error}\nlacks: {expected}");
     }
+}
+
+fn gallery(name: &str) -> Description {
+    gallery_files::scenario(name, &[]).describe().unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[test]
+fn a_tank_is_described_by_its_rooms_and_the_columns_of_their_levels() {
+    let [tank] = &gallery("roll_reduction_tank").tanks[..] else { panic!("one tank") };
+    assert_eq!((&*tank.name, &*tank.body, tank.rooms.len()), ("tank", "hull", 3));
+    // The middle of the duct is at 2 m above the keel amidships, and the hull's centre of mass at (-2.55, 0, 6.5) m.
+    let port = &tank.rooms[0];
+    let expected = [2.55 - 2.5, 7.5 - 1.25, 2.0 - 6.5 - 0.35];
+    for (found, expected) in port.low_m.iter().zip(expected) {
+        assert!((found - expected).abs() < 1e-12, "{found}, expected {expected}");
+    }
+    assert_eq!(port.level_column.as_deref(), Some("tank.level_port"));
+    assert!((port.level_m - 3.35).abs() < 1e-12, "3 m above the middle of the duct of 0.7 m");
+    assert!((port.level_m - port.level_zero_m - 3.0).abs() < 1e-12, "the column begins at the middle of the duct");
+    assert_eq!(tank.rooms[2].level_column, None, "the duct is full");
+}
+
+#[test]
+fn wind_and_current_are_described_by_their_velocities() {
+    let described = gallery("offshore_vessel_on_dp");
+    let [x, y] = described.wind.expect("wind").velocity_m_s;
+    assert!(
+        (x + 12.0 * 0.75_f64.sqrt()).abs() < 1e-9 && (y - 6.0).abs() < 1e-9,
+        "12 m/s towards 150 degrees: {x}, {y}"
+    );
+    assert_eq!(described.sea.expect("a sea").current_m_s, [-0.5, 0.2]);
+    assert!(gallery("offshore_vessel").wind.is_none());
+}
+
+#[test]
+fn a_joint_with_one_axis_of_rotation_is_described_by_it() {
+    let described = gallery("roll_reduction_gyros");
+    let axis_of = |name: &str| described.joints.iter().find(|joint| joint.name == name).expect("a joint").axis;
+    assert_eq!(axis_of("precession_port"), Some([0.0, 1.0, 0.0]));
+    assert_eq!(axis_of("spin_starboard"), Some([0.0, 0.0, -1.0]));
+    assert_eq!(axis_of("hull"), None);
 }

@@ -213,6 +213,6 @@ export class Recording {
 }
 
 /** Converts the surface to single precision, which is enough for a picture. */
-function inShort({ x_m, y_m, elevation_m }: Surface): Surface {
-  return { x_m, y_m, elevation_m: Float32Array.from(elevation_m) };
+function inShort(surface: Surface): Surface {
+  return { ...surface, elevation_m: Float32Array.from(surface.elevation_m) };
 }

@@ -26,4 +26,8 @@ export const floating = {
   wave_help: "Elevation of the incident waves at the hull's mean position",
   fluid_gm: "Fluid GM",
   fluid_gm_help: "Transverse, at rest in still water with the crane as it stands; hanging loads at their suspension points",
+  wind: "Wind",
+  wind_help: "Mean speed at its reference height. The arrow points where the wind blows: upwards is away from the eye",
+  current: "Current",
+  current_help: "Speed at the surface. The arrow points where the water flows: upwards is away from the eye",
 };

@@ -29,4 +29,8 @@ export const floating: Texts["floating"] = {
   fluid_gm: "Korr. GM",
   fluid_gm_help:
     "Metasenterhøyde for krengning, korrigert for frie væskeoverflater, i ro i stille vann med kranen slik den står; hengende laster regnes i opphengspunktet",
+  wind: "Vind",
+  wind_help: "Middelhastighet i referansehøyden. Pilen viser hvor vinden blåser: oppover er bort fra øyet",
+  current: "Strøm",
+  current_help: "Hastighet i overflaten. Pilen viser hvor vannet strømmer: oppover er bort fra øyet",
 };

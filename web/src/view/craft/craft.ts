@@ -12,11 +12,12 @@ import { addBracket, addFoundation, addSponson } from "./bracket";
 import { addColumn, cabOf } from "./column";
 import type { ColumnShape } from "./column";
 import { addCargo, addDrum, addHook, addQuay, addSheave } from "./gear";
+import { addBearings, addGimbal, addWheel, trunnionsOf } from "./gyro";
 import { outlineOfBox, outlineOfMesh } from "./outline";
 import type { Outline } from "./outline";
 import { straight } from "./pieces";
 import { distance, longestAxis, nearestOf, Place } from "./place";
-import { rolesOf } from "./roles";
+import { rolesOf, wheelIn } from "./roles";
 import { addBoxShell, addMeshShell } from "./shell";
 import { addShip } from "./ship";
 import { addStays } from "./stays";
@@ -106,6 +107,8 @@ class Builder {
     if (role === "hull") return this.addHull(i);
     if (role === "column" && shape?.kind === "cylinder") return this.addColumn(i, colour);
     if (role === "boom") return this.addBoom(i, colour);
+    if (role === "gimbal") return this.addGimbal(i, colour);
+    if (shape?.kind === "cylinder" && role === "wheel") return addWheel(work, shape.radius_m, shape.length_m, shape.axis, colour);
     if (shape?.kind === "cylinder" && role === "drum") return addDrum(work, shape.radius_m, shape.length_m, shape.axis, colour);
     if (shape?.kind === "cylinder") return void work.body.turned(straight(shape.radius_m, -shape.length_m / 2, shape.length_m / 2), shape.axis, [0, 0, 0], colour, 32);
     if (role === "quay") return addQuay(work, box, colour);
@@ -113,6 +116,23 @@ class Builder {
     if (shape?.kind === "box" && role === "cargo") return addCargo(work, box, colour);
     if (shape?.kind === "box") return void work.body.box(edgesOf(box), [0, 0, 0], colour);
     work.body.ball([0, 0, 0], box.high[0], colour, 40);
+  }
+
+  /** Adds the frame of a wheel, and its bearings on the body that carries it. */
+  private addGimbal(i: number, colour: Color): void {
+    const { model, boxes, poses } = this.scene;
+    const body = model.bodies[i];
+    const [wheel, turns] = [wheelIn(model, body)?.shape, model.joints.find((joint) => joint.body === body.name)?.axis];
+    const carrier = model.bodies.findIndex(({ name }) => name === body.parent);
+    if (wheel?.kind !== "cylinder" || !turns) return;
+    addGimbal(this.works[i], boxes[i], wheel.radius_m, turns, colour);
+    if (carrier < 0) return;
+    const [place, on] = [new Place(poses, i), new Place(poses, carrier)];
+    const ends = trunnionsOf(boxes[i], turns).map(([, end]) => on.toBody(place.toWorld(end)));
+    const height = edgesOf(boxes[i])[2];
+    const deck = boxes[carrier].high[2];
+    const foot = ends[0][2] > deck ? deck : ends[0][2] - wheel.radius_m;
+    addBearings(this.works[carrier], ends, 0.5 * height, foot);
   }
 
   /** Whether other bodies are joined to a body that is joined to none. */
@@ -129,7 +149,7 @@ class Builder {
     if (!outline.hasDeck) return;
     const hull = new Place(poses, i);
     const obstacles = model.bodies.flatMap((_, k) => {
-      if (k === i || roles[k] === "tank" || roles[k] === "hull" || roles[k] === "quay") return [];
+      if (k === i || roles[k] === "tank" || roles[k] === "hull" || roles[k] === "quay" || model.tanks.some(({ name }) => name === model.bodies[k].name)) return [];
       const place = new Place(poses, k);
       const { low, high } = boxes[k];
       const corners = [low[0], high[0]].flatMap((x) => [low[1], high[1]].flatMap((y) => [low[2], high[2]].map((z): Vec3 => [x, y, z])));

@@ -19,6 +19,9 @@ use crate::sea::waves::Water;
 use crate::spatial::{Frame, Vector3, Wrench};
 use opening_in_waves::OpeningInWaves;
 
+/// Output with the level of the water.
+pub(crate) const LEVEL: &str = "water_level";
+
 /// A tank with vertical walls on a hull, with an opening to the sea in its bottom. Its water is a body on a prismatic
 /// joint (see [`FloodedColumn`]) with the mass at rest, on which gravity acts. x is the rise of the level from rest.
 /// (Halse, Aesoy & Sporsheim, "An active roll reduction system using free flooding tanks controlled by vacuum pumps",
@@ -98,7 +101,7 @@ impl<S: Scalar> Element<S> for FreeFloodingTank<S> {
     fn declare(&self) -> Declaration {
         let number = |variable, description, unit| Output::number(variable, description, "tank", &self.name, unit);
         let mut outputs = vec![
-            number("water_level", "level of the water above the opening", &["m"]),
+            number(LEVEL, "level of the water above the opening", &["m"]),
             number("flooding_flow", "flow of sea water into the tank", &["m^3/s"]),
         ];
         if self.pump.is_none() {
@@ -162,7 +165,7 @@ impl<S: Scalar> Element<S> for FreeFloodingTank<S> {
             },
             LevelEnd { level: 0.0, code: "air_at_opening", warning: "air reached its opening" },
         ];
-        vec![Box::new(TankLevels::new(&self.name, &["water_level"], ends))]
+        vec![Box::new(TankLevels::new(&self.name, &[LEVEL], ends))]
     }
 
     fn regular_waves(&self) -> Option<Box<dyn RegularWaves<S> + '_>> {

@@ -11,6 +11,9 @@ use crate::dynamics::Loads;
 use crate::scalar::Scalar;
 use crate::spatial::{Vector3, Wrench};
 
+/// Outputs with the levels in the port and the starboard column.
+pub(crate) const LEVELS: [&str; 2] = ["level_port", "level_starboard"];
+
 /// A U-tank on a body. Its liquid is a body on a hinge (see [`UTankLiquid`]); gravity pulls at that body's centre. This
 /// element adds the difference from the pendulum: with the vector D from the pendulum's arc to the true centre of the
 /// liquid, and the vertical n in the axes of the carrying body,
@@ -56,8 +59,8 @@ impl<S: Scalar> Element<S> for UTank<S> {
     fn declare(&self) -> Declaration {
         let number = |variable, description, unit| Output::number(variable, description, "tank", &self.name, unit);
         let mut outputs = vec![
-            number("level_port", "level in the port column above the middle of the duct", &["m"]),
-            number("level_starboard", "level in the starboard column above the middle of the duct", &["m"]),
+            number(LEVELS[0], "level in the port column above the middle of the duct", &["m"]),
+            number(LEVELS[1], "level in the starboard column above the middle of the duct", &["m"]),
             number("tank_flow", "flow through the duct towards port", &["m^3/s"]),
         ];
         if self.pump.is_some() {
@@ -103,7 +106,7 @@ impl<S: Scalar> Element<S> for UTank<S> {
             LevelEnd { level: top, code: "liquid_at_top", warning: "its liquid reached the top of a column" },
             LevelEnd { level: duct, code: "air_in_duct", warning: "air reached the top of its duct" },
         ];
-        vec![Box::new(TankLevels::new(&self.name, &["level_port", "level_starboard"], ends))]
+        vec![Box::new(TankLevels::new(&self.name, &LEVELS, ends))]
     }
 
     fn left_out_at_rest(&self) -> Option<&'static str> {

@@ -1,6 +1,6 @@
 //! Contract of a kind in the scenario file: how elements are assembled from its fields.
 
-use crate::elements::{AnyElement, Input};
+use crate::elements::{AnyElement, DrawnTank, Input};
 use crate::model::Model;
 use crate::scenario::assembly::FieldError;
 use crate::scenario::assembly::columns::Column;
@@ -35,11 +35,20 @@ pub(crate) trait Assemble<S: Quantity> {
     /// # Errors
     /// A field that contradicts another field of the scenario.
     fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError>;
+
+    /// Returns the tank to draw, if it is one.
+    fn tank(&self, _name: &str, _scenario: &Scenario<S>) -> Option<DrawnTank> {
+        None
+    }
 }
 
 impl<S: Quantity, T: Assemble<S>> Assemble<S> for Box<T> {
     fn assemble(&self, name: &str, at: Surroundings<'_, S>) -> Result<Vec<AnyElement<S>>, FieldError> {
         (**self).assemble(name, at)
+    }
+
+    fn tank(&self, name: &str, scenario: &Scenario<S>) -> Option<DrawnTank> {
+        (**self).tank(name, scenario)
     }
 }
 

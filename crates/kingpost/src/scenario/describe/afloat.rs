@@ -6,6 +6,8 @@ use crate::scenario::schema::{self, Scenario};
 use crate::sea::database::HullAtRest;
 use crate::sea::waves::WaveField;
 use crate::simulation::Setup;
+use crate::spatial::Vector3;
+use crate::world::Wind;
 use serde::Serialize;
 
 /// The sea to draw.
@@ -16,10 +18,22 @@ pub struct SeaDescription {
     pub density_kg_m3: f64,
     /// Depth of the still water, m; absent if it is infinite.
     pub depth_m: Option<f64>,
+    /// Velocity of the current at the surface, world x and y, m/s.
+    pub current_m_s: [f64; 2],
     /// Number of regular waves in the sea; 0 for calm water.
     pub wave_components: usize,
     /// Wave systems whose spectra are cut off.
     pub cut_spectra: Vec<CutSpectrum>,
+}
+
+/// The wind to draw.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct WindDescription {
+    /// Mean velocity at the reference height, world x and y, m/s.
+    pub velocity_m_s: [f64; 2],
+    /// Reference height above the still water, m.
+    pub height_m: f64,
 }
 
 /// A wave spectrum that is partly cut off.
@@ -75,9 +89,21 @@ pub fn sea(scenario: &Scenario, setup: &Setup) -> Option<SeaDescription> {
     Some(SeaDescription {
         density_kg_m3: sea.density_kg_m3.get(),
         depth_m: sea.depth_m.map(|depth| depth.get()),
+        current_m_s: level(setup.world.surface_current()),
         wave_components: setup.world.waves.as_ref().map_or(0, WaveField::len),
         cut_spectra: cut_spectra(scenario),
     })
+}
+
+/// Describes the wind, if there is any.
+pub fn wind(setup: &Setup) -> Option<WindDescription> {
+    let described =
+        |wind: &Wind| WindDescription { velocity_m_s: level(wind.along(wind.speed)), height_m: wind.reference_height };
+    setup.world.wind.as_ref().map(described)
+}
+
+fn level(Vector3([x, y, _]): Vector3) -> [f64; 2] {
+    [x, y]
 }
 
 fn cut_spectra(scenario: &Scenario) -> Vec<CutSpectrum> {

@@ -9,13 +9,14 @@ mod under_water;
 mod units;
 mod warnings;
 
-pub use afloat::{CutSpectrum, HullDescription, MeshDescription, SeaDescription};
+pub use afloat::{CutSpectrum, HullDescription, MeshDescription, SeaDescription, WindDescription};
 pub use facts::{ElementDescription, Fact};
 pub use in_water::{ImmersionDescription, ObjectInWater};
 pub use operation::{MarkDescription, MoveDescription, StageDescription, StepDescription, TaskDescription};
 
-use crate::elements::{Connection, Submerged};
+use crate::elements::{Connection, DrawnTank, Submerged};
 use crate::model::{Attachment, Loop, Model, Node};
+use crate::scenario::assembly::assemble::Assemble;
 use crate::scenario::assembly::flexible::{owner, shape};
 use crate::scenario::schema::{self, LIVE_SETTINGS, Parameter, ParameterKind, ParameterValue, Scenario};
 use crate::scenario::writing::ToValue;
@@ -60,8 +61,12 @@ pub struct Description {
     pub gravity_m_s2: f64,
     /// The sea, if there is one.
     pub sea: Option<SeaDescription>,
+    /// The wind, if there is any.
+    pub wind: Option<WindDescription>,
     /// The hulls in it, in the order of results.
     pub hulls: Vec<HullDescription>,
+    /// The tanks with liquids that move.
+    pub tanks: Vec<DrawnTank>,
     /// The objects that are lowered through its surface, in the order of results.
     pub objects_in_water: Vec<ObjectInWater>,
     /// The limits on columns of the results.
@@ -136,6 +141,8 @@ pub struct JointDescription {
     pub body: String,
     /// `floating`, `revolute` and so on, as in the scenario; `elastic` between the segments of a flexible body.
     pub kind: &'static str,
+    /// Unit vector of the axis about which it turns, axes of the child body; absent if it has no such axis, or several.
+    pub axis: Option<[f64; 3]>,
     /// Names of its coordinates that move freely.
     pub free_coordinates: Vec<String>,
     /// The given data of its prescribed motion.
@@ -279,6 +286,12 @@ impl Scenario {
                 (name, 0) => self.bodies.get(name).map_or_else(Vec::new, |body| facts::prescribed(&body.joint)),
                 _ => Vec::new(),
             },
+            axis: joint
+                .kind
+                .axis_twist()
+                .map(|twist| twist.angular)
+                .filter(|axis| axis.norm() > 0.0)
+                .map(|axis| axis.0),
             free_coordinates: joint.coordinate_names().into_iter().filter(|name| free.contains(name)).collect(),
         };
         Description {
@@ -298,7 +311,9 @@ impl Scenario {
             elements: facts::elements(self),
             gravity_m_s2: world.gravity,
             sea,
+            wind: afloat::wind(setup),
             hulls,
+            tanks: self.tanks(model),
             objects_in_water,
             limits: limits.iter().cloned().map(describe_limit).collect(),
             view: self.view.as_ref().map(describe_view).unwrap_or_default(),
@@ -309,6 +324,14 @@ impl Scenario {
                 .chain(warnings::at_start(self, setup))
                 .collect(),
         }
+    }
+}
+
+impl Scenario {
+    /// Returns the tanks on bodies that are enabled.
+    fn tanks(&self, model: &Model) -> Vec<DrawnTank> {
+        let drawn = self.forces.iter().filter_map(|(name, force)| force.tank(name, self));
+        drawn.filter(|tank| model.body(&tank.body).is_some()).collect()
     }
 }
 
