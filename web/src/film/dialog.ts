@@ -29,7 +29,7 @@ export class FilmDialog {
   constructor(private readonly studio: Studio) {
     const notes = [words.camera, ...(canEncode() ? [] : [words.no_encoder])].map((note) => make("p", { class: "muted" }, note));
     const buttons = make("div", { class: "picker-buttons" }, this.close, this.cancel, this.picture, this.film);
-    const form = make("form", {}, make("h2", { id: "film-title" }, words.title), this.fields.element, this.about, ...notes, this.bar, this.said, buttons);
+    const form = make("form", { class: "film-form" }, make("h2", { id: "film-title" }, words.title), this.fields.element, this.about, ...notes, this.bar, this.said, buttons);
     this.dialog.append(form);
     this.film.classList.add("button-primary");
     form.addEventListener("submit", (event) => event.preventDefault());
