@@ -4,7 +4,8 @@ import type { Vec3 } from "../src/view/fit";
 import { boxOf, shapedHullOf } from "../src/view/solids";
 import { craftOf } from "../src/view/craft/craft";
 import { viewpointOf } from "../src/view/viewpoint";
-import { gallery } from "./gallery";
+import { Simulation } from "../src/engine/pkg/kingpost_wasm.js";
+import { filesOf, gallery, read } from "./gallery";
 import { opened } from "./opened";
 import { PALETTE } from "./palette";
 
@@ -46,6 +47,16 @@ describe.each(gallery)("%s of the gallery", (name) => {
       expect(plot.length).toBeGreaterThan(0);
       expect(new Set(plot.map((column) => units.get(column) ?? `no ${column}`)).size).toBe(1);
       expect(plot.filter((column) => !units.has(column))).toEqual([]);
+    }
+  });
+
+  it("a scenario of the gallery opens with each choice of its parameters: its plots do not depend on them", async () => {
+    const { run } = await opened(name);
+    const text = read(`scenarios/${name}.yaml`);
+    const files = await filesOf(text);
+    for (const { name: parameter, kind, value, choices } of run.model.parameters) {
+      const others = kind === "boolean" ? [!value] : (choices ?? []).filter((choice) => choice !== value);
+      for (const other of others) expect(() => new Simulation(text, name, JSON.stringify({ [parameter]: other }), files).free(), `${parameter}: ${other}`).not.toThrow();
     }
   });
 

@@ -13,6 +13,7 @@ export interface Resolved {
   wind?: { gusts?: { enabled: boolean } };
   operation?: { enabled?: boolean };
   limits?: unknown;
+  view?: unknown;
 }
 
 interface ResolvedBody {
