@@ -126,6 +126,29 @@ describe("kept runs", () => {
     expect(runs.all.map(times)).toEqual([[0, 0.01, 0.02, 0.03, 0.04]]);
   });
 
+  it("a run that was steered by hand is kept when another value restarts it, and not at a plain reset", async () => {
+    const restartWith = async (load: boolean) => {
+      session.start();
+      session.set("load", load);
+      await until(() => expect([session.pending(), session.status]).toEqual([[], "running"]));
+      session.pause();
+    };
+    await step(session, 3);
+    await restartWith(true);
+    expect(runs.all).toEqual([]);
+    await step(session, 2);
+    session.set("wind", 12);
+    await until(() => expect(session.pending()).toEqual([]));
+    await step(session, 2);
+    await restartWith(false);
+    expect(runs.all.length).toBe(1);
+    await step(session, 2);
+    session.set("wind", 9);
+    await until(() => expect(session.pending()).toEqual([]));
+    await session.reset();
+    expect(runs.all.length).toBe(1);
+  });
+
   it("runs in the plots have different colours, and no more are shown than there are colours", async () => {
     for (let i = 0; i < MOST_SHOWN + 2; i++) {
       await step(session, 1);

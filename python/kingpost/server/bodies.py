@@ -1,7 +1,7 @@
 """Bodies of HTTP answers, compressed for browsers that accept it.
 
-This helps a phone on a slow network: by gzip the engine and the hydrodynamic databases shrink to a third, and the
-built app has its files in Brotli, which makes the engine a third smaller again.
+This helps a phone on a slow network: by gzip the engine and the hydrodynamic databases shrink to a third, and
+the built app has its files in Brotli, which makes the engine a third smaller again.
 """
 
 from __future__ import annotations

@@ -37,9 +37,16 @@ export class Runs {
         if (isAnother) this.first = session.values.inForce;
       },
       leaves: (run, recording, from_s) => {
-        if (from_s === null ? this.keepsAtReset && recording.rows.items.length > 1 : recording.rows.last!.time_s > from_s) this.take(run, recording, from_s);
+        const isKept = from_s === null ? this.keepsEnded(recording) : recording.rows.last!.time_s > from_s;
+        if (isKept) this.take(run, recording, from_s);
       },
     });
+  }
+
+  /** Whether a run is kept that a reset ends: one that was steered by hand cannot be repeated after a restart with other values. */
+  private keepsEnded({ rows, changes }: Recording): boolean {
+    const isSteered = changes.length > 0 && this.session.pending().length > 0;
+    return rows.items.length > 1 && (this.keepsAtReset || isSteered);
   }
 
   get all(): readonly KeptRun[] {
