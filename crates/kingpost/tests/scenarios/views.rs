@@ -43,7 +43,6 @@ fn rejects_views_that_show_nothing() {
     for (view, expected) in [
         ("{camera: mast}", "view.camera: found "),
         ("{camera: {place: {eye_m: [1, 2, 3], target_m: [1, 2, 3]}}}", "view.camera.place.target_m: found "),
-        ("{plots: [[ship.rol]]}", "view.plots.0.0: found ship.rol, allowed: "),
         ("{plots: [[]]}", "view.plots.0: found 0 columns, allowed: 1 to 8 columns"),
         (
             "{plots: [[ship.roll, kinetic_energy]]}",
@@ -60,6 +59,21 @@ fn rejects_views_that_show_nothing() {
         };
         assert!(error.contains(expected), "{error}\nlacks: {expected}");
     }
+}
+
+#[test]
+fn a_plot_of_a_column_that_a_value_removes_is_left_out_with_a_warning() {
+    let text = with_view("{plots: [[load.position.x, ship.position.x], [load.position.z]]}");
+    let with_load = |load: bool| {
+        let scenario = read(&text, "paper.yaml", &[("load".to_owned(), json!(load))]).expect("it reads");
+        scenario.describe().unwrap_or_else(|error| panic!("{error}"))
+    };
+    let of_view = |found: &Description| found.warnings.iter().filter(|one| one.contains("view.plots")).count();
+    let (there, gone) = (with_load(true), with_load(false));
+    assert_eq!((there.view.plots.len(), of_view(&there)), (2, 0));
+    assert_eq!((gone.view.plots.as_slice(), of_view(&gone)), (&[vec!["ship.position.x".to_owned()]][..], 2));
+    let warned = |words: &str| gone.warnings.iter().any(|one| one.contains(words));
+    assert!(warned("view.plots.1.0: found load.position.z, allowed: ") && warned("the plot leaves it out"));
 }
 
 fn gallery(name: &str) -> Description {

@@ -18,7 +18,7 @@ pub(crate) mod rigid_bodies;
 pub(crate) mod sea_spectra;
 pub(crate) mod station;
 pub(crate) mod still_water;
-mod view;
+pub(crate) mod view;
 pub(crate) mod watchers;
 pub(crate) mod wave_motion;
 pub(crate) mod waves;

@@ -18,6 +18,7 @@ use crate::elements::{Connection, DrawnTank, Submerged};
 use crate::model::{Attachment, Loop, Model, Node};
 use crate::scenario::assembly::assemble::Assemble;
 use crate::scenario::assembly::flexible::{owner, shape};
+use crate::scenario::assembly::view::plots;
 use crate::scenario::schema::{self, LIVE_SETTINGS, Parameter, ParameterKind, ParameterValue, Scenario};
 use crate::scenario::writing::ToValue;
 use crate::simulation::{Limit, Setup};
@@ -254,6 +255,7 @@ impl Scenario {
     pub(super) fn description_of(&self, setup: &Setup) -> Description {
         let (sea, hulls) = (afloat::sea(self, setup), afloat::hulls(self, setup));
         let objects_in_water = in_water::objects(setup);
+        let (view, of_view) = self.view.as_ref().map(|view| describe_view(view, setup)).unwrap_or_default();
         let Setup { model, world, elements, limits, q, .. } = setup;
         let modes = model.coordinate_names().into_iter().zip(&model.modes);
         let free: Vec<String> =
@@ -316,12 +318,13 @@ impl Scenario {
             tanks: self.tanks(model),
             objects_in_water,
             limits: limits.iter().cloned().map(describe_limit).collect(),
-            view: self.view.as_ref().map(describe_view).unwrap_or_default(),
+            view,
             live_settings: LIVE_SETTINGS.into(),
             parameters: self.parameter_values().into_iter().map(describe_parameter).collect(),
             warnings: warnings::of(self, model, world, elements)
                 .into_iter()
                 .chain(warnings::at_start(self, setup))
+                .chain(of_view)
                 .collect(),
         }
     }
@@ -387,7 +390,8 @@ fn describe_point(model: &Model, place: &Attachment) -> PointDescription {
     PointDescription { body: body.to_owned(), position_m: place.in_body.position.0 }
 }
 
-fn describe_view(view: &schema::View) -> ViewDescription {
+/// Describes camera and plots, with warnings of columns that do not exist.
+fn describe_view(view: &schema::View, setup: &Setup) -> (ViewDescription, Vec<String>) {
     let camera = match &view.camera {
         None => String::new(),
         Some(schema::Camera::Place(place)) => {
@@ -395,8 +399,8 @@ fn describe_view(view: &schema::View) -> ViewDescription {
         }
         Some(named) => named.to_value().as_str().unwrap_or_default().to_owned(),
     };
-    let plots = view.plots.iter().map(|plot| plot.iter().map(ToString::to_string).collect()).collect();
-    ViewDescription { camera, plots }
+    let (plots, warnings) = plots(view, setup);
+    (ViewDescription { camera, plots }, warnings)
 }
 
 fn describe_limit(
