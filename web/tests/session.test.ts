@@ -88,6 +88,18 @@ describe("sessions", () => {
     expect([session.status, session.pending(), time(), openings.length]).toEqual(["paused", ["load"], expect.closeTo(0.1, 9), 2]);
   });
 
+  it("a run to a time that is asked for during a reset pauses there", async () => {
+    void session.reset();
+    session.runTo(0.05);
+    await until(() => expect(session.status).toBe("running"));
+    for (let i = 0; i < 4; i++) await session.advance(0.1);
+    expect([session.status, time()]).toEqual(["paused", expect.closeTo(0.05, 9)]);
+    session.start();
+    await session.advance(0.1);
+    await session.advance(0.1);
+    expect(time()).toBeGreaterThan(0.1);
+  });
+
   it("a session saves its run as a file, and reports live values that make a run of it differ", async () => {
     await session.step();
     expect(await session.save()).toMatchObject({ name: "good-saved.yaml", differs: null });

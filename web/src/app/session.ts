@@ -108,6 +108,11 @@ export class Session implements Player {
    */
   start(): void {
     this.until_s = Infinity;
+    this.go();
+  }
+
+  /** Starts the run; the time at which it pauses stays. */
+  go(): void {
     if (this.shown.isBack) void this.rewinding.branch();
     if (this.opening.turns.isBusy || this.status === "loading") this.opening.intend("start");
     else if (this.status === "idle" || this.status === "paused") this.state.become("running");
@@ -115,8 +120,8 @@ export class Session implements Player {
 
   /** Runs as fast as possible to a time, and pauses there. */
   runTo(time_s: number): void {
-    this.start();
     this.until_s = time_s;
+    this.go();
   }
 
   pause(): void {

@@ -15,7 +15,8 @@ import type { SessionState } from "./state";
 export interface Player {
   /** Whether the session runs, or will run when the present reset is done. */
   readonly isGoing: boolean;
-  start(): void;
+  /** Starts the run; a goal of the run stays. */
+  go(): void;
   pause(): void;
   step(): Promise<void>;
   /** Drops values and inputs that wait to be sent: they belong to the present run. */
@@ -93,7 +94,7 @@ export class Opening {
   restart(): void {
     const { isGoing } = this.player;
     void this.reset();
-    if (isGoing) this.player.start();
+    if (isGoing) this.player.go();
   }
 
   /** Opens the present scenario again with the values of the controls; several calls at the same time count as one. */
@@ -162,7 +163,7 @@ export class Opening {
     const { run } = this.state;
     if (await this.resumed(fault)) {
       this.isRecovering = false;
-      if (goes) this.player.start();
+      if (goes) this.player.go();
       return;
     }
     await this.reopen();
@@ -205,7 +206,7 @@ export class Opening {
   private goOn(): void {
     const { due } = this;
     if (due) this.intend(null);
-    if (due === "start") this.player.start();
+    if (due === "start") this.player.go();
     if (due === "step") void this.player.step();
   }
 }
