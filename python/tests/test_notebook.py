@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import base64
 import io
+import os
 import re
 import subprocess
 import sys
+from pathlib import Path
 from xml.etree import ElementTree
 
 import kingpost
@@ -17,7 +19,12 @@ from kingpost.cli import main
 from kingpost.pictures import use_app
 from kingpost.pictures.notebook import CELL_PX
 from matplotlib.image import imread
+from test_link import unpacked
 
+CELL = Path(__file__).resolve().parents[2] / "web" / "tests" / "browser" / "notebook_cell.html"
+"""A cell of a notebook, without the still."""
+RUN = re.compile(r"#k1=[\w.-]+")
+"""The part of an address that holds a run."""
 LIMIT = {"limits": {"heel": {"column": "ship.roll", "within": 1, "unit": "deg"}}}
 
 
@@ -194,6 +201,23 @@ def test_a_cell_is_a_figure_of_the_app_that_is_named_with_the_still_within() -> 
     still = played.find("img")
     assert still is not None
     assert still.attrib["src"].startswith("data:image/png;base64,")
+
+
+def test_the_cell_that_the_browser_plays_is_the_one_of_today() -> None:
+    """Source: web/tests/browser/figure.mjs opens the file, as an export of a notebook shows it. Compressors
+    may differ in their bytes, not in what they hold. KINGPOST_WRITE_PAGES=1 writes the file."""
+    scenario = kingpost.load("paper", load=True, torque_history="pulse")
+    use_app("http://app.example")
+    try:
+        shown = scenario._repr_html_().partition("</figure>")[0]
+    finally:
+        use_app(None)
+    cell = re.sub(r"data:image/png;base64,[^\"]*", "data:,", shown) + "</figure>\n"
+    if os.environ.get("KINGPOST_WRITE_PAGES"):
+        CELL.write_text(cell, encoding="utf-8")
+    kept = CELL.read_text(encoding="utf-8")
+    assert RUN.sub("", kept) == RUN.sub("", cell)
+    assert [unpacked(run) for run in RUN.findall(kept)] == [unpacked(run) for run in RUN.findall(cell)]
 
 
 @pytest.mark.parametrize("address", ["javascript:alert(1)", "127.0.0.1:8000", 'http://a/"><b>', 8000])

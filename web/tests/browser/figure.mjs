@@ -10,6 +10,7 @@ import { assertAccessible } from "./axe.mjs";
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 const article = readFileSync(here("article.html"), "utf8");
+const cell = readFileSync(here("notebook_cell.html"), "utf8");
 const goldens = JSON.parse(readFileSync(here("../../../crates/kingpost/tests/golden/paper.json"), "utf8"));
 /** Bytes of an article before the first touch, all of it uncompressed: the requirement on a page with six figures. */
 const MOST_BYTES = 150_000;
@@ -50,6 +51,13 @@ async function goTo(page, id, time_s) {
   }, [id, time_s]);
 }
 
+/** Checks that a row of the paper's page is that of the native engine, to the last bit. */
+function assertNative(found) {
+  const { row } = goldens.find(({ name }) => name === "page");
+  assert.equal(found.length, row.length);
+  found.forEach((value, i) => assert.ok(Object.is(value, row[i]), `column ${i}: ${value}, native ${row[i]}`));
+}
+
 /** Waits until a figure plays. */
 const plays = (page, id) => page.waitForFunction((name) => !document.getElementById(name).paused, id);
 
@@ -75,14 +83,21 @@ export default {
   async "figures have the numbers of kingpost run to the last bit"(host) {
     const { page, close } = await openArticle(host);
     await goTo(page, "paper", 2);
-    const { row } = goldens.find(({ name }) => name === "page");
     const found = await rowOf(page, "paper");
-    assert.equal(found.length, row.length);
-    found.forEach((value, i) => assert.ok(Object.is(value, row[i]), `column ${i}: ${value}, native ${row[i]}`));
+    assertNative(found);
     // Back in time, and forward again.
     await goTo(page, "paper", 1);
     await goTo(page, "paper", 2);
     assert.deepEqual(await rowOf(page, "paper"), found);
+    await close();
+  },
+
+  async "a notebook that was exported plays the run of its cell, with the numbers of kingpost run to the last bit"(host) {
+    const page_of_cell = `<!doctype html><html lang="en"><title>A notebook</title><link rel="icon" href="data:,"><main>${cell.replaceAll("http://app.example/", "APP/")}</main></html>`;
+    const { page, close } = await openArticle(host, page_of_cell);
+    await page.evaluate(() => (document.querySelector("kingpost-figure").id = "cell"));
+    await goTo(page, "cell", 2);
+    assertNative(await rowOf(page, "cell"));
     await close();
   },
 
