@@ -165,7 +165,8 @@ def test_a_parameter_that_is_not_live_is_refused_during_a_run():
     simulation = Simulation("paper")
     simulation.step(5)
     with pytest.raises(
-        kingpost.KingpostError, match=r"crane_x_m: takes effect at the start.*: simulation.integrator"
+        kingpost.KingpostError,
+        match=r"crane_x_m: takes effect at the start.*: motor_1, .*, simulation.integrator",
     ):
         simulation.set_parameter("crane_x_m", 0)
     assert simulation.time_s == pytest.approx(0.005)

@@ -1,10 +1,10 @@
 //! Free-flooding tanks: the water as a body on a prismatic joint, its weight, pressures and stops.
 
-use crate::elements::free_flooding_tank::{ATMOSPHERE_PA, AirPump, FloodedColumn, LEVEL};
-use crate::elements::{AnyElement, DrawnTank, FreeFloodingTank, TankRoom};
+use crate::elements::free_flooding_tank::drawn::room;
+use crate::elements::free_flooding_tank::{ATMOSPHERE_PA, AirPump, FloodedColumn};
+use crate::elements::{AnyElement, DrawnTank, FreeFloodingTank};
 use crate::model::joint::Prismatic;
 use crate::model::{JointKind, Model};
-use crate::scalar::Scalar;
 use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::assembly::liquids::{self, LiquidBody};
 use crate::scenario::assembly::rigid_bodies::{from_centre, rigid};
@@ -56,16 +56,8 @@ impl<S: Quantity> Assemble<S> for schema::FreeFloodingTank<S> {
     }
 
     fn tank(&self, name: &str, scenario: &Scenario<S>) -> Option<DrawnTank> {
-        let [x, y, z] = from_centre(scenario, &self.body, Vector3(self.position_m)).0.map(Scalar::value);
-        let column = column(scenario, self);
-        let [length, breadth, height] = column.edges.map(Scalar::value);
-        let room = TankRoom {
-            low_m: [x - length / 2.0, y - breadth / 2.0, z],
-            high_m: [x + length / 2.0, y + breadth / 2.0, z + height],
-            level_m: column.level.value(),
-            level_column: Some(format!("{name}.{LEVEL}")),
-            level_zero_m: 0.0,
-        };
+        let place = from_centre(scenario, &self.body, Vector3(self.position_m));
+        let room = room(name, place, &column(scenario, self));
         Some(DrawnTank { name: name.to_owned(), body: self.body.to_string(), rooms: vec![room] })
     }
 }

@@ -3,6 +3,7 @@
 mod air;
 pub(crate) mod assembly;
 mod column;
+mod drawn;
 pub(crate) mod fields;
 mod opening_in_waves;
 

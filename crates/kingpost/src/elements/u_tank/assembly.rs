@@ -1,10 +1,10 @@
 //! U-tanks: the liquid as a body on a hinge, its weight, losses, pump and stops.
 
-use crate::elements::u_tank::{LEVELS, UTankGeometry, UTankLiquid};
-use crate::elements::{AnyElement, DrawnTank, TankRoom, UTank};
+use crate::elements::u_tank::drawn::rooms;
+use crate::elements::u_tank::{UTankGeometry, UTankLiquid};
+use crate::elements::{AnyElement, DrawnTank, UTank};
 use crate::model::joint::Revolute;
 use crate::model::{BodyDefinition, JointKind, Model};
-use crate::scalar::Scalar;
 use crate::scenario::assembly::assemble::{Assemble, Surroundings};
 use crate::scenario::assembly::liquids::{self, LiquidBody};
 use crate::scenario::assembly::rigid_bodies::{from_centre, rigid};
@@ -68,35 +68,10 @@ impl<S: Quantity> Assemble<S> for schema::UTank<S> {
     }
 
     fn tank(&self, name: &str, scenario: &Scenario<S>) -> Option<DrawnTank> {
-        Some(drawn(scenario, name, self))
+        let place = from_centre(scenario, &self.body, Vector3(self.position_m));
+        let rooms = rooms(name, place, &geometry(scenario, self), self.column_height_m.get(), self.enabled);
+        Some(DrawnTank { name: name.to_owned(), body: self.body.to_string(), rooms })
     }
-}
-
-/// Returns the columns and the duct between them, as boxes.
-fn drawn<S: Quantity>(scenario: &Scenario<S>, name: &str, given: &schema::UTank<S>) -> DrawnTank {
-    let geometry = geometry(scenario, given);
-    let [x, y, z] = from_centre(scenario, &given.body, Vector3(given.position_m)).0.map(Scalar::value);
-    let [length, breadth] = geometry.column.map(|edge| edge.value() / 2.0);
-    let [duct_length, duct_height] = geometry.duct.map(|edge| edge.value() / 2.0);
-    let (distance, top, level) =
-        (geometry.distance.value() / 2.0, given.column_height_m.get().value(), geometry.level.value());
-    let column = |side: f64, level_column: &str| TankRoom {
-        low_m: [x - length, y + side * distance - breadth, z - duct_height],
-        high_m: [x + length, y + side * distance + breadth, z + top],
-        level_m: level + duct_height,
-        level_column: given.enabled.then(|| format!("{name}.{level_column}")),
-        level_zero_m: duct_height,
-    };
-    let inner = distance - breadth;
-    let duct = TankRoom {
-        low_m: [x - duct_length, y - inner, z - duct_height],
-        high_m: [x + duct_length, y + inner, z + duct_height],
-        level_m: 2.0 * duct_height,
-        level_column: None,
-        level_zero_m: 0.0,
-    };
-    let rooms = vec![column(1.0, LEVELS[0]), column(-1.0, LEVELS[1]), duct];
-    DrawnTank { name: name.to_owned(), body: given.body.to_string(), rooms }
 }
 
 /// Returns weight, losses, pump and stops of a tank whose liquid flows.

@@ -1,6 +1,7 @@
 //! The liquid of a U-tank: its weight, its losses and its pump.
 
 pub(crate) mod assembly;
+mod drawn;
 pub(crate) mod fields;
 mod liquid;
 
