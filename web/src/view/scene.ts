@@ -2,7 +2,8 @@ import { swarmOf } from "../forecast/swarm";
 import type { Outlook } from "../forecast/outlook";
 import type { BackgroundEngine } from "../app/background_engine";
 import { Playback } from "../app/recording/playback";
-import type { Session } from "../app/session";
+import type { Moment } from "../app/recording/recording";
+import type { Run, Session } from "../app/session";
 import type { ModelInfo } from "../engine/engine";
 import { inTheSea } from "../engine/surface";
 import { length } from "../app/format";
@@ -86,20 +87,24 @@ export function createScene(session: Session, background: BackgroundEngine): Sce
   let due: (() => void) | null = null;
   let isStaged = false;
   let runs: Runs | null = null;
+  /** Shows what a moment has beside its poses and its sea: liquids, overlays, the ghost. */
+  const complete = (run: Run, moment: Moment) => {
+    view.showLevels((column) => run.columns.read(moment.row, column));
+    watched.show(moment);
+    view.showOther(otherAt(runs, run, moment.time_s));
+  };
   return {
     draw() {
       if (isStaged) return false;
-      const { recording } = session.shown;
-      const moment = recording && recording.at(timeOfPicture());
+      const { run, shown } = session;
+      const moment = shown.recording && shown.recording.at(timeOfPicture());
       // An unchanged picture is not drawn again; during playback every moment has other poses.
-      if (moment && moment.poses !== drawn) {
+      if (run && moment && moment.poses !== drawn) {
         view.show(moment);
         view.showSea(moment.surface);
-        view.showLevels((column) => session.run?.columns.read(moment.row, column) ?? NaN);
         if (tensions) view.showTensions(tensions.read(moment.row));
         legend.show(tensions);
-        watched.show(moment);
-        view.showOther(otherAt(runs, session, moment.time_s));
+        complete(run, moment);
         drawn = moment.poses;
       }
       due?.();
@@ -122,10 +127,11 @@ export function createScene(session: Session, background: BackgroundEngine): Sce
     stage(size) {
       const { run, shown } = session;
       if (!run || !shown.recording) return null;
-      const stage = new Stage(view, watched, run, shown.recording, size, () => {
+      const ended = () => {
         isStaged = false;
         drawn = null;
-      });
+      };
+      const stage = new Stage(view, run, shown.recording, size, (moment) => complete(run, moment), ended);
       isStaged = true;
       return stage;
     },
@@ -165,9 +171,9 @@ export function showLosses(canvas: HTMLElement, view: View): void {
 }
 
 /** Returns the run that is shown as a ghost, at a time; null if there is none. */
-function otherAt(runs: Runs | null, { run }: Session, time_s: number): OtherRun | null {
+function otherAt(runs: Runs | null, { model }: Run, time_s: number): OtherRun | null {
   const ghost = runs?.ghost ?? null;
-  const poses = ghost && run && ghost.posesAt(time_s, run.model);
+  const poses = ghost && ghost.posesAt(time_s, model);
   return poses && { poses, colour: ghost.colour };
 }
 

@@ -1,6 +1,5 @@
 import type { Moment, Recording } from "../app/recording/recording";
 import type { Run } from "../app/run";
-import type { Watched } from "./overlays/watched";
 import type { Size } from "./size";
 import { Tensions } from "./tension";
 import type { View } from "./view";
@@ -12,10 +11,11 @@ export class Stage {
   /** Throws a TooLargeError if the graphics card cannot draw the size. */
   constructor(
     private readonly view: View,
-    private readonly watched: Watched,
     run: Run,
     recording: Recording,
     size: Size,
+    /** Shows what a moment has beside its poses, its sea and its tensions. */
+    private readonly complete: (moment: Moment) => void,
     private readonly ended: () => void,
   ) {
     this.tensions = new Tensions(run.lines, run.channels);
@@ -25,9 +25,9 @@ export class Stage {
 
   /** Returns the picture of a moment; copy it at once, because a browser soon clears it. */
   draw(moment: Moment): HTMLCanvasElement {
-    const { tensions, view, watched } = this;
+    const { tensions, view } = this;
     view.showTensions(tensions.tints(moment.row));
-    watched.show(moment);
+    this.complete(moment);
     return view.still(moment, moment.surface, moment.time_s);
   }
 
