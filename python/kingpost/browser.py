@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 import shutil
 
+from .errors import KingpostError
+
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome", "msedge")
 VARIABLE = "CHROMIUM"
 """Environment variable that names another browser."""
@@ -24,6 +26,20 @@ def find_browser() -> str | None:
     """Find the first browser of Chromium's family on this machine; None if there is none."""
     given = os.environ.get(VARIABLE)
     return given or next((found for name in BROWSERS if (found := shutil.which(name))), None)
+
+
+def needed_browser(what: str, instead: str) -> str:
+    """Find a browser for a task; the error names the task and what serves instead.
+
+    Raises
+    ------
+    KingpostError
+        If there is none.
+    """
+    found = find_browser()
+    if found is None:
+        raise KingpostError(f"{what}: found no browser, allowed: {ALLOWED}; {instead}")
+    return found
 
 
 def options() -> list[str]:

@@ -78,7 +78,7 @@ def make(
     """
     ending = output.check(path, ENDINGS).suffix.lower()
     ordered = order.for_page(scenario, ending)
-    program = needed_browser()
+    program = browser.needed_browser("film", "install one, or use Export, Film in the app")
     token = secrets.token_urlsafe(24)
     with (
         _listening(scenario, token, ordered) as (receiver, address),
@@ -88,22 +88,6 @@ def make(
     ):
         why = _taken(receiver, file, process, tell or (lambda *_: None), silent_s)
     return Path(path), why
-
-
-def needed_browser() -> str:
-    """Find a browser that makes films.
-
-    Raises
-    ------
-    KingpostError
-        If there is none.
-    """
-    found = browser.find_browser()
-    if found is None:
-        raise KingpostError(
-            f"film: found no browser, allowed: {browser.ALLOWED}; install one, or use Export, Film in the app"
-        )
-    return found
 
 
 @contextmanager
@@ -126,7 +110,7 @@ def _listening(scenario: Scenario, token: str, order: bytes) -> Iterator[tuple[R
 
 @contextmanager
 def _browser(program: str, address: str) -> Iterator[subprocess.Popen[bytes]]:
-    """Open an address in a browser that no one sees, with a profile of its own; end it after the block."""
+    """Open an address in a browser that no one sees, with a temporary profile; end it after the block."""
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
         command = [program, *browser.options(), *OPTIONS, f"--user-data-dir={profile}", address]
         try:

@@ -21,12 +21,7 @@ def needed_browser() -> str:
     KingpostError
         If there is none.
     """
-    found = browser.find_browser()
-    if found is None:
-        raise KingpostError(
-            f"PDF: found no browser, allowed: {browser.ALLOWED}; the HTML file prints from any browser"
-        )
-    return found
+    return browser.needed_browser("PDF", "the HTML file prints from any browser")
 
 
 def write(page: str | Path, path: str | Path) -> Path:
