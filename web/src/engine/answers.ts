@@ -13,7 +13,6 @@ export interface Resolved {
   wind?: { gusts?: { enabled: boolean } };
   operation?: { enabled?: boolean };
   limits?: unknown;
-  view?: unknown;
 }
 
 interface ResolvedBody {
