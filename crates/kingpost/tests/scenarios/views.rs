@@ -1,4 +1,4 @@
-//! What a scenario says to views: camera and plots that it names, tanks, wind and current, axes of joints.
+//! Descriptions for views: camera and plots of a scenario, tanks, wind and current, axes of joints.
 
 use crate::common::{gallery_files, paper_text};
 
