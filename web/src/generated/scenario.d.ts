@@ -2265,6 +2265,11 @@ export type Hydrodynamics = {
    */
   database: string;
   /**
+   * Name of the hull in a database of several hulls that feel each other; if it is left out, the name of the body. Every hull
+   * of such a database takes part, each once.
+   */
+  hull?: string | null;
+  /**
    * The database's origin in the body's drawing frame, m; the axes are the body's. The origin lies on the waterplane
    * at the database's draught.
    *

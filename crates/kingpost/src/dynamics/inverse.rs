@@ -63,6 +63,14 @@ impl<S: Scalar> InverseDynamics<S> {
             self.joint_wrench[*body] +=
                 added.times(&self.acceleration[*body]) + twist.cross_momentum(&added.times(twist));
         }
+        for ([first, second], added) in &loads.added_inertia_between {
+            let (twist, other) = (&bodies.twist[*first], &bodies.twist[*second]);
+            let [rate, rate_of_other] = [first, second].map(|body| &self.acceleration[*body]);
+            let on_first = added.times(rate_of_other) + twist.cross_momentum(&added.times(other));
+            let on_second = added.transpose_times(rate) + other.cross_momentum(&added.transpose_times(twist));
+            self.joint_wrench[*first] += on_first;
+            self.joint_wrench[*second] += on_second;
+        }
         for i in (0..model.tree.nodes.len()).rev() {
             if let Some(parent) = model.tree.nodes[i].parent {
                 let carried = bodies.relative[i].wrench_to_parent(&self.joint_wrench[i]);

@@ -3,7 +3,7 @@
 use super::{LinkKinematics, TemporaryConstraint};
 use crate::model::Model;
 use crate::scalar::Scalar;
-use crate::spatial::{SpatialInertia, Twist, Vector3, Wrench};
+use crate::spatial::{CrossInertia, SpatialInertia, Twist, Vector3, Wrench};
 
 /// Loads on a model: the paper's {F} (eq. 59), the motors, and added mass.
 #[derive(Clone, Debug)]
@@ -17,6 +17,9 @@ pub struct Loads<S = f64> {
     /// Added inertia of a body, in body axes about its centre of mass. It is not part of the energy and
     /// momentum of the bodies: for these it is an external load, its [reaction](Self::hand_over).
     pub added_inertia: Vec<(usize, SpatialInertia<S>)>,
+    /// Added inertia between two bodies that float freely, in body axes about their centres of mass: hulls that feel each
+    /// other through the water. For energy and momentum it is an external load, as `added_inertia` is.
+    pub added_inertia_between: Vec<([usize; 2], CrossInertia<S>)>,
     /// Acceleration of free fall, world axes, m/s^2: it acts on the mass of every body. The wrenches do not
     /// contain weight.
     pub gravity: Option<Vector3<S>>,
@@ -50,6 +53,7 @@ impl<S: Scalar> Loads<S> {
             force: vec![S::ZERO; model.velocity_count],
             acceleration: vec![S::ZERO; model.velocity_count],
             added_inertia: Vec::with_capacity(model.bodies.len()),
+            added_inertia_between: Vec::new(),
             gravity: None,
             restraints: Vec::new(),
             power: Power::default(),
@@ -82,15 +86,24 @@ impl<S: Scalar> Loads<S> {
         self.gravity.map(|gravity| gravity * mass)
     }
 
-    /// Converts the added inertia I to a wrench, `-(I a + nu x* I nu)`, after the accelerations are known.
-    /// `twist_and_rate` returns for a body the twist nu and the spatial acceleration a, in body axes about
-    /// its centre of mass.
+    /// Converts the added inertia I to a wrench, `-(I a + nu x* I nu)`, after the accelerations are known; between two
+    /// bodies a is that of the other body, and `I nu` the momentum from its twist. `twist_and_rate` returns for a body the
+    /// twist nu and the spatial acceleration a, in body axes about its centre of mass.
     pub fn hand_over(&mut self, twist_and_rate: impl Fn(usize) -> (Twist<S>, Twist<S>)) {
-        for (body, added) in self.added_inertia.drain(..) {
+        let Self { added_inertia, added_inertia_between, power, wrenches, .. } = self;
+        let mut react = |body: usize, twist: &Twist<S>, momentum: &Wrench<S>, rate: &Wrench<S>| {
+            let reaction = -(*rate + twist.cross_momentum(momentum));
+            power.outside += reaction.dot(twist);
+            wrenches.push((body, reaction));
+        };
+        for (body, added) in added_inertia.drain(..) {
             let (twist, rate) = twist_and_rate(body);
-            let reaction = -(added.times(&rate) + twist.cross_momentum(&added.times(&twist)));
-            self.power.outside += reaction.dot(&twist);
-            self.wrenches.push((body, reaction));
+            react(body, &twist, &added.times(&twist), &added.times(&rate));
+        }
+        for ([first, second], added) in added_inertia_between.drain(..) {
+            let ((twist, rate), (other, rate_of_other)) = (twist_and_rate(first), twist_and_rate(second));
+            react(first, &twist, &added.times(&other), &added.times(&rate_of_other));
+            react(second, &other, &added.transpose_times(&twist), &added.transpose_times(&rate));
         }
     }
 
@@ -107,6 +120,7 @@ impl<S: Scalar> Loads<S> {
         self.wrenches.clear();
         self.force.fill(S::ZERO);
         self.added_inertia.clear();
+        self.added_inertia_between.clear();
         self.gravity = None;
         self.restraints.iter_mut().for_each(|restraint| restraint.acts = false);
         self.power = Power::default();

@@ -11,6 +11,7 @@
 
 mod ball;
 mod bias_acceleration;
+mod cholesky;
 mod clock;
 pub mod energy;
 pub mod forward;

@@ -4,6 +4,7 @@ use crate::dynamics::{Clock, LinkKinematics};
 use crate::model::Model;
 use crate::scalar::Scalar;
 use crate::world::World;
+use core::ops::Range;
 
 /// Purpose of an evaluation of the model: which effects take part.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -61,6 +62,10 @@ pub struct Context<'a, S = f64> {
     pub numbers: &'a [S],
     /// Its modes, which change at its samples and events.
     pub modes: &'a [i64],
+    /// The continuous states of all elements.
+    pub all_states: &'a [S],
+    /// Those of the elements that it [sees](super::Declaration::sees), among all.
+    pub seen: &'a [Range<usize>],
 }
 
 impl<'a, S> Context<'a, S> {
@@ -72,16 +77,54 @@ impl<'a, S> Context<'a, S> {
         (q, v): (&'a [S], &'a [S]),
     ) -> Self {
         let clock = Clock { time_s: 0.0, middle_s: 0.0 };
+        Self::without_entries(clock, EvaluationMode::AtRest, world, model, links, (q, v))
+    }
+
+    /// Returns the context of an element without states, inputs, numbers and modes.
+    pub fn without_entries(
+        clock: Clock,
+        evaluation: EvaluationMode,
+        world: &'a World<S>,
+        model: &'a Model<S>,
+        links: &'a LinkKinematics<S>,
+        (q, v): (&'a [S], &'a [S]),
+    ) -> Self {
         let (states, inputs, inputs_at_end, numbers, modes) = Default::default();
-        let evaluation = EvaluationMode::AtRest;
-        Self { clock, evaluation, world, model, links, q, v, states, inputs, inputs_at_end, numbers, modes }
+        let (all_states, seen) = Default::default();
+        Self {
+            clock,
+            evaluation,
+            world,
+            model,
+            links,
+            q,
+            v,
+            states,
+            inputs,
+            inputs_at_end,
+            numbers,
+            modes,
+            all_states,
+            seen,
+        }
     }
 }
 
 /// Position of a lever at which it releases its element.
 const RELEASES: f64 = 0.5;
 
-impl<S: Scalar> Context<'_, S> {
+impl<'a, S: Scalar> Context<'a, S> {
+    /// Returns the context of another element that it sees, with the states of that element and without its other entries.
+    ///
+    /// # Panics
+    /// If it does not see so many elements.
+    #[must_use]
+    pub fn of_other(&self, index: usize) -> Context<'a, S> {
+        let (inputs, inputs_at_end, numbers, modes) = Default::default();
+        let states = self.all_states.get(self.seen[index].clone()).unwrap_or_default();
+        Context { states, inputs, inputs_at_end, numbers, modes, seen: &[], ..*self }
+    }
+
     /// Whether the first input of the element, its lever, commands its release.
     pub fn is_let_go(&self) -> bool {
         self.inputs.first().is_some_and(|lever| lever.all(|lever| lever >= RELEASES))

@@ -39,6 +39,8 @@ pub struct Declaration {
     pub reads: Vec<String>,
     /// The inputs of other elements that it sets at the start of every step.
     pub steers: Vec<String>,
+    /// Names of the other elements whose continuous states it [sees](super::Context::of_other), in the order of its use.
+    pub sees: Vec<String>,
 }
 
 /// A continuous state that an element keeps.

@@ -16,8 +16,10 @@ pub struct StateSlices {
     pub numbers: Range<usize>,
     /// Its modes in m.
     pub modes: Range<usize>,
-    /// Whether any of the above has entries.
+    /// Whether any of the above has entries, or `seen`.
     pub has_own: bool,
+    /// The states of other elements that it sees, among those of all elements.
+    pub seen: Vec<Range<usize>>,
     /// Its sampling period, s.
     pub period_s: Option<f64>,
     /// Delay of its sampled outputs, in samples.
@@ -153,13 +155,15 @@ impl Layout {
         let mut layout = Self { ledger, ..Self::default() };
         layout.inputs = declared.iter().flat_map(|declared| declared.inputs.clone()).collect();
         let (mut input, mut number) = (0, layout.inputs.len());
+        let seen: Vec<Vec<String>> = declared.iter().map(|declared| declared.sees.clone()).collect();
         layout.steers = steers(&declared, &layout.inputs);
         for (element, declared) in declared.into_iter().enumerate() {
             let name = elements[element].name();
             let full = |own: &String| format!("{name}.{own}");
             let own = [declared.states.len(), declared.numbers.len(), declared.modes.len()];
             layout.slices.push(StateSlices {
-                has_own: !declared.inputs.is_empty() || own.iter().any(|count| *count > 0),
+                has_own: !declared.inputs.is_empty() || !declared.sees.is_empty() || own.iter().any(|count| *count > 0),
+                seen: Vec::new(),
                 states: range(layout.states.len(), declared.states.len()),
                 inputs: range(input, declared.inputs.len()),
                 numbers: range(number, declared.numbers.len()),
@@ -188,6 +192,11 @@ impl Layout {
                 layout.holding.push((element, first..first + declared.holds));
             }
             layout.advancing.extend(declared.advances.then_some(element));
+        }
+        for (element, names) in seen.iter().enumerate() {
+            let of =
+                |name: &String| Some(layout.slices[layout.names.iter().position(|own| own == name)?].states.clone());
+            layout.slices[element].seen = names.iter().filter_map(of).collect();
         }
         let states = layout.states.iter().enumerate();
         layout.motions = states.filter(|(_, own)| own.advanced && !own.remembers).map(|(i, _)| ledger + i).collect();

@@ -213,7 +213,7 @@ impl LoadedHull<'_> {
                 100.0 * LARGEST_DRAUGHT_CHANGE
             ));
         }
-        let of_coefficients = self.at.world[self.hull.frame.body].times(&self.hull.coefficients.in_body);
+        let of_coefficients = self.at.world[self.hull.frame.body].times(&self.hull.coordinates.coefficients.in_body);
         let [heel, trim] = heel_and_trim(FloatingPosition::of(&of_coefficients).vertical);
         let end = if trim < 0.0 { "by the stern" } else { "by the bow" };
         let side = format!("to {}", Side::of(heel).name());

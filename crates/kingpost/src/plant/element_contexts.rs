@@ -32,18 +32,18 @@ impl<'a, S: Copy> ElementContexts<'a, S> {
         at: Stage<'a, S>,
     ) -> Self {
         let clock = Clock { time_s: at.time_s, middle_s: at.interval.middle_s() };
-        let (q, v, own) = (at.q, at.v, <&[S]>::default());
-        let (states, inputs, inputs_at_end, numbers, modes) = (own, own, own, own, <&[i64]>::default());
-        let shared =
-            Context { clock, evaluation, world, model, links, q, v, states, inputs, inputs_at_end, numbers, modes };
         let states = at.s.get(layout.ledger..).unwrap_or_default();
+        let shared = Context {
+            all_states: states,
+            ..Context::without_entries(clock, evaluation, world, model, links, (at.q, at.v))
+        };
         Self { layout, shared, states, discrete: at.d, modes: at.m, own: None }
     }
 
     /// Returns the context of an element.
     #[inline]
     pub fn of(&mut self, element: usize) -> &Context<'a, S> {
-        let StateSlices { states, inputs, numbers, modes, has_own, .. } = &self.layout.slices[element];
+        let StateSlices { states, inputs, numbers, modes, has_own, seen, .. } = &self.layout.slices[element];
         if !has_own {
             return &self.shared;
         }
@@ -52,6 +52,7 @@ impl<'a, S: Copy> ElementContexts<'a, S> {
         own.inputs = self.discrete.get(inputs.clone()).unwrap_or_default();
         own.numbers = self.discrete.get(numbers.clone()).unwrap_or_default();
         own.modes = self.modes.get(modes.clone()).unwrap_or_default();
+        own.seen = seen;
         own
     }
 

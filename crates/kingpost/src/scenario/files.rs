@@ -5,7 +5,7 @@ use super::named_files::NamedFiles;
 use super::reading::{FileKind, FromNode, TextKind};
 use super::schema::{Force, Hydrodynamics, Scenario};
 use super::writing::ToValue;
-use crate::sea::database::Database;
+use crate::sea::database::{Database, HydrodynamicData};
 use crate::sea::raos::RaoTable;
 use crate::sea::waves::ElevationTable;
 use crate::state::digest;
@@ -55,7 +55,7 @@ impl Host for IndexMap<String, String> {
 pub struct Files {
     host: Box<dyn Host>,
     digests: Mutex<IndexMap<String, u64>>,
-    databases: Mutex<IndexMap<String, Arc<Database>>>,
+    databases: Mutex<IndexMap<String, Arc<HydrodynamicData>>>,
 }
 
 impl Default for Files {
@@ -93,13 +93,13 @@ impl Files {
         *known.entry(name.to_owned()).or_insert_with(of_text)
     }
 
-    fn database(&self, field: &str, name: &str) -> Result<Arc<Database>, FieldError> {
+    fn database(&self, field: &str, name: &str) -> Result<Arc<HydrodynamicData>, FieldError> {
         let mut known = self.databases.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(database) = known.get(name) {
             return Ok(Arc::clone(database));
         }
         let text = self.text(field, name, "a hydrodynamic database")?;
-        let database = Database::read(&text).map_err(|error| {
+        let database = HydrodynamicData::read(&text).map_err(|error| {
             FieldError::new(field, format!("{name}: {}: {}", error.field, error.found), error.allowed)
         })?;
         let database = Arc::new(database);
@@ -133,7 +133,8 @@ impl Scenario {
 
     /// Returns the database of the force with this name.
     pub(crate) fn database_of(&self, force: &str) -> Option<&Database> {
-        self.files.database(&self.hydrodynamics(force)?.database).map(|database| &**database)
+        let given = self.hydrodynamics(force)?;
+        self.files.database(&given.database, given.name_in_database()).map(|database| &**database)
     }
 
     /// Returns the names of the files that the scenario uses, in order, each once.

@@ -39,6 +39,19 @@ impl<S: Scalar> SpatialInertia<S> {
         }
     }
 
+    /// Returns the symmetric 6x6 matrix by rows, angular part first.
+    pub fn to_rows(&self) -> [[S; 6]; 6] {
+        let (angular, linear) = (self.angular.to_matrix().0, self.linear.to_matrix().0);
+        core::array::from_fn(|i| {
+            core::array::from_fn(|j| match (i < 3, j < 3) {
+                (true, true) => angular[i][j],
+                (true, false) => self.coupling.0[i][j - 3],
+                (false, true) => self.coupling.0[j][i - 3],
+                (false, false) => linear[i - 3][j - 3],
+            })
+        })
+    }
+
     /// Returns the momentum of a twist: its moment part is angular momentum, its force part linear momentum.
     #[inline]
     pub fn times(&self, t: &Twist<S>) -> Wrench<S> {

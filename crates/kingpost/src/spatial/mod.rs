@@ -4,6 +4,7 @@
 //! doi 10.1115/1.4042536. Spatial quantities are body components about the body's centre of mass,
 //! angular part first.
 
+mod cross_inertia;
 mod exponential;
 mod frame;
 mod inertia;
@@ -14,6 +15,7 @@ mod rotation;
 mod twist;
 mod vector;
 
+pub use cross_inertia::CrossInertia;
 pub use exponential::exponential;
 pub use frame::Frame;
 pub use inertia::SpatialInertia;

@@ -2,6 +2,7 @@
 #![allow(dead_code)] // each test binary uses its own part
 
 pub mod barge;
+pub mod barges;
 pub mod closed_forms;
 pub mod gallery_files;
 pub mod hoist_part;
@@ -12,10 +13,10 @@ pub mod trees;
 
 use kingpost::analysis::Linearizer;
 use kingpost::dynamics::Loads;
-use kingpost::model::{Model, MotionType};
-use kingpost::scenario::ScenarioError;
+use kingpost::model::{JointKind, Model, MotionType};
+use kingpost::scenario::{Scenario, ScenarioError};
 use kingpost::simulation::{Setup, Simulation};
-use kingpost::spatial::{Frame, Quaternion, SpatialInertia, Symmetric3, Vector3, Wrench, exp};
+use kingpost::spatial::{CrossInertia, Frame, Quaternion, SpatialInertia, Symmetric3, Twist, Vector3, Wrench, exp};
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
 use serde_json::Value;
@@ -78,10 +79,14 @@ pub fn assert_linearised(text: &str) {
 ///
 /// Returns the rates of the velocities by both.
 pub fn assert_derivatives(text: &str) -> (Vec<f64>, Vec<f64>) {
-    let scenario = kingpost::scenario::read(text, "test.yaml", &[]).expect("the scenario reads");
+    assert_derivatives_of(&kingpost::scenario::read(text, "test.yaml", &[]).expect("the scenario reads"))
+}
+
+/// Checks the exact derivatives of a scenario as [`assert_derivatives`] does.
+pub fn assert_derivatives_of(scenario: &Scenario) -> (Vec<f64>, Vec<f64>) {
     let mut simulation = scenario.simulation().expect("the scenario builds");
     simulation.step(200).expect("some motion");
-    let mut linearizer = Linearizer::new(&scenario).expect("the scenario builds");
+    let mut linearizer = Linearizer::new(scenario).expect("the scenario builds");
     let linear = linearizer.at(&simulation);
     let free: Vec<usize> = linearizer.positions().collect();
     let (n, h) = (free.len(), 1e-6);
@@ -111,7 +116,7 @@ fn accelerations(simulation: &Simulation, xi: &[f64], dv: &[f64]) -> Vec<f64> {
     let mut moved = simulation.clone();
     let q = simulation.moved(&simulation.state().q, xi);
     let v: Vec<f64> = simulation.state().v.iter().zip(dv).map(|(v, dv)| v + dv).collect();
-    moved.set_state(&q, &v, None).expect("a motion of the model");
+    moved.set_state(&q, &v, Some(&simulation.state().s)).expect("a motion of the model");
     moved.acceleration(None).expect("no forces beside its own")
 }
 
@@ -259,6 +264,35 @@ impl Random {
         (q, v)
     }
 
+    /// Adds a positive semidefinite inertia of all bodies that float freely, between every two of them and of each.
+    pub fn couple_floating_bodies(&mut self, model: &Model, loads: &mut Loads) {
+        let floats = |body: &usize| match model.joints[*body].kind {
+            JointKind::Floating(held) => !held.hold_translation && !held.hold_rotation,
+            _ => false,
+        };
+        let floating: Vec<usize> = (0..model.bodies.len()).filter(floats).collect();
+        let factors: Vec<[Twist; 6]> = floating
+            .iter()
+            .map(|_| core::array::from_fn(|_| Twist { angular: self.vector(1.0), linear: self.vector(1.0) }))
+            .collect();
+        let between = |first: &[Twist; 6], second: &[Twist; 6]| {
+            CrossInertia::from_columns(|twist| {
+                first.iter().zip(second).fold(Wrench::zero(), |sum, (a, b)| {
+                    let rate = b.angular.dot(twist.angular) + b.linear.dot(twist.linear);
+                    sum + Wrench { moment: a.angular * rate, force: a.linear * rate }
+                })
+            })
+        };
+        for (k, &body) in floating.iter().enumerate().filter(|_| floating.len() > 1) {
+            let own = between(&factors[k], &factors[k]);
+            let rows = core::array::from_fn(|i| core::array::from_fn(|j| own.entry(i, j)));
+            loads.added_inertia.push((body, SpatialInertia::from_rows(&rows)));
+            for (l, &other) in floating.iter().enumerate().skip(k + 1) {
+                loads.added_inertia_between.push(([body, other], between(&factors[k], &factors[l])));
+            }
+        }
+    }
+
     /// Loads of every kind that the dynamics takes.
     pub fn loads(&mut self, model: &Model) -> Loads {
         let mut loads = Loads::new(model);
@@ -272,6 +306,7 @@ impl Random {
                 loads.added_inertia.push((body, self.full_inertia()));
             }
         }
+        self.couple_floating_bodies(model, &mut loads);
         loads
     }
 }

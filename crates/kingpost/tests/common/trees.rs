@@ -20,6 +20,7 @@ const MOST_AXES: usize = 5;
 const STATE: u64 = 1;
 const LOADS: u64 = 2;
 const ROTORS: u64 = 3;
+const COUPLING: u64 = 4;
 
 /// The kind of a body's joint, the simplest first.
 #[derive(Clone, Copy, Debug)]
@@ -172,6 +173,7 @@ impl Tree {
                 loads.added_inertia.push((body, random.full_inertia()));
             }
         }
+        self.numbers(COUPLING).couple_floating_bodies(model, &mut loads);
         loads
     }
 }

@@ -29,7 +29,8 @@ fn free_part(model: &Model, all: &[f64]) -> Vec<f64> {
 /// Returns the loads without external wrenches, forces or prescribed accelerations; the added inertia is
 /// kept.
 fn only_inertia(model: &Model, loads: &Loads) -> Loads {
-    Loads { added_inertia: loads.added_inertia.clone(), ..Loads::new(model) }
+    let Loads { added_inertia, added_inertia_between, .. } = loads.clone();
+    Loads { added_inertia, added_inertia_between, ..Loads::new(model) }
 }
 
 #[test]

@@ -7,6 +7,7 @@ mod another_sea;
 mod box_tanks;
 mod catenary;
 mod column_response;
+mod coupled_hulls;
 mod current_profiles;
 mod drift_damping;
 mod dynamic_positioning;

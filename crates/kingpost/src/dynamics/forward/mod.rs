@@ -10,6 +10,7 @@
 //! free fall in common: relative to it, links have no weight.
 
 mod articulated;
+mod coupled_roots;
 mod response;
 mod root;
 
@@ -21,6 +22,7 @@ use crate::model::{Carrier, Link, LinkJoint, Model, MotionType};
 use crate::scalar::Scalar;
 use crate::spatial::{SpatialInertia, Twist, Vector3, Wrench};
 use articulated::Articulated;
+use coupled_roots::CoupledRoots;
 
 /// Working memory of [`forward_dynamics`], by link, root axes.
 #[derive(Clone, Debug)]
@@ -32,6 +34,10 @@ pub struct Workspace<S = f64> {
     has_fall: bool,
     /// Root of each link's branch.
     roots: Vec<usize>,
+    /// Roots whose accelerations are found together.
+    coupled: CoupledRoots<S>,
+    /// Their accelerations.
+    found: Vec<S>,
 }
 
 impl<S: Scalar> Workspace<S> {
@@ -39,7 +45,8 @@ impl<S: Scalar> Workspace<S> {
     pub fn new(model: &Model<S>) -> Self {
         let n = model.plan.len();
         let (links, fall) = (vec![Articulated::default(); n], vec![Vector3::zero(); n]);
-        Self { links, fall, has_fall: false, roots: model.roots.clone() }
+        let (roots, coupled) = (model.roots.clone(), CoupledRoots::new());
+        Self { links, fall, has_fall: false, roots, coupled, found: Vec::new() }
     }
 
     /// Returns the articulated inertia of a link with its subtree, root axes.
@@ -72,6 +79,7 @@ pub fn forward_dynamics<S: Scalar>(
 ) {
     link_inertias_and_loads(model, links, loads, work);
     articulated_inertia_pass(model, links, loads, work);
+    coupled_root_pass(model, links, loads, work);
     acceleration_pass(model, links, loads, work, v_dot);
 }
 
@@ -100,6 +108,8 @@ fn link_inertias_and_loads<S: Scalar>(
             link.bias += moving.kirchhoff(&added) + added.times(&fall);
         }
     }
+    work.coupled.take(model, links, loads);
+    work.coupled.add_bias(links.moving(), &work.fall, &mut work.links);
     for (body, wrench) in &loads.wrenches {
         let body = &model.bodies[*body];
         if let Some(i) = body.link {
@@ -175,6 +185,29 @@ fn articulated_inertia_pass<S: Scalar>(
     }
 }
 
+/// Computes the accelerations of roots with inertia between them. Afterwards the bias force of each contains the reaction
+/// from the others.
+#[inline]
+fn coupled_root_pass<S: Scalar>(
+    model: &Model<S>,
+    links: &LinkKinematics<S>,
+    loads: &Loads<S>,
+    work: &mut Workspace<S>,
+) {
+    if work.coupled.is_empty() {
+        return;
+    }
+    let Workspace { links: of_links, coupled, found, .. } = work;
+    coupled.factor(links.moving(), of_links);
+    let net = |root: usize| {
+        let (at, rotation) = (model.plan[root].velocities, &links.root_in_world(root).rotation);
+        root::force(&loads.force[at..], rotation) - of_links[root].bias
+    };
+    coupled.solve(net, found);
+    coupled.accelerations(found).for_each(|(root, acceleration)| of_links[root].response = acceleration);
+    coupled.reactions(found).for_each(|(root, reaction)| of_links[root].bias += reaction);
+}
+
 /// Computes accelerations, from the roots outward (Featherstone, sec. 7.3, third pass).
 #[inline]
 fn acceleration_pass<S: Scalar>(
@@ -196,7 +229,9 @@ fn acceleration_pass<S: Scalar>(
             LinkJoint::Floating => {
                 let (at, rotation) = (plan.velocities, &links.root_in_world(i).rotation);
                 let net = root::force(&loads.force[at..], rotation) - link.bias;
-                link.response = root::accelerate(plan.floating, &link.inertia(moving), &net, fall[i]);
+                if work.coupled.place(i).is_none() {
+                    link.response = root::accelerate(plan.floating, &link.inertia(moving), &net, fall[i]);
+                }
                 root::write(&link.response, fall[i], rotation, &mut v_dot[at..]);
             }
             LinkJoint::Spherical => {

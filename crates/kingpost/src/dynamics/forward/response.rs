@@ -22,6 +22,8 @@ pub struct Response<S = f64> {
     acceleration: Vec<Twist<S>>,
     /// Acceleration by coordinate of v.
     rates: Vec<S>,
+    /// Accelerations of the coupled roots.
+    found: Vec<S>,
 }
 
 impl<S: Scalar> Response<S> {
@@ -33,6 +35,7 @@ impl<S: Scalar> Response<S> {
             force: vec![S::ZERO; model.velocity_count],
             acceleration: vec![Twist::zero(); n],
             rates: vec![S::ZERO; model.velocity_count],
+            found: Vec::new(),
         }
     }
 
@@ -72,12 +75,21 @@ impl<S: Scalar> Response<S> {
             };
             self.bias[parent] += passed;
         }
+        if !work.coupled.is_empty() {
+            let Self { bias, acceleration, found, .. } = self;
+            work.coupled.solve(|root| -bias[root], found);
+            work.coupled.accelerations(found).for_each(|(root, of_root)| acceleration[root] = of_root);
+            work.coupled.reactions(found).for_each(|(root, reaction)| bias[root] += reaction);
+        }
         for (i, (plan, moving)) in plan() {
             let carried = plan.parent().map_or(Twist::zero(), |p| self.acceleration[p]);
             let (link, bias, at) = (&work.links[i], &self.bias[i], plan.velocities);
             self.acceleration[i] = match plan.joint {
                 LinkJoint::Floating => {
-                    let twist = root::accelerate(plan.floating, &link.inertia(moving), &-*bias, Vector3::zero());
+                    let twist = match work.coupled.place(i) {
+                        Some(_) => self.acceleration[i],
+                        None => root::accelerate(plan.floating, &link.inertia(moving), &-*bias, Vector3::zero()),
+                    };
                     root::write(&twist, Vector3::zero(), &links.root_in_world(i).rotation, &mut self.rates[at..]);
                     twist
                 }

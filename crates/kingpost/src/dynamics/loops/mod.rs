@@ -16,14 +16,13 @@
 //! The temporary constraints of elements, each a [`TemporaryConstraint`](super::TemporaryConstraint), follow the loops in the same system.
 
 mod column;
-mod factor;
 mod project;
 mod rows;
 
-pub use factor::{CholeskyFactor, SMALLEST_PIVOT};
 pub use project::{LARGEST_GAP, LoopFault, Projection};
 pub use rows::{Row, hold, relative_pose};
 
+pub use super::cholesky::{CholeskyFactor, SMALLEST_PIVOT};
 use super::forward::{Response, Workspace};
 use super::{LinkKinematics, Loads, TemporaryConstraint};
 use crate::model::Model;

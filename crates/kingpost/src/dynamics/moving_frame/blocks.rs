@@ -16,9 +16,10 @@
 //! Joints of several axes have a column for each, carried to the child by the axes after it.
 
 use super::Loads;
+use super::sparse_blocks::{Block, SparseBlocks};
 use crate::model::{JointKind, Model, Node, Tree, joint::Columns};
-use crate::spatial::{Frame, Matrix3, SpatialInertia, Twist, Vector3, Wrench, hat};
-use nalgebra::{DMatrix, DVector, SMatrix};
+use crate::spatial::{CrossInertia, Frame, Matrix3, SpatialInertia, Twist, Vector3, Wrench, hat};
+use nalgebra::{DMatrix, DVector};
 
 /// x' of a body (world, m/s).
 pub(super) fn x_dot_of(x_dot: &DVector<f64>, body: usize) -> Vector3 {
@@ -112,9 +113,6 @@ fn inertias(model: &Model, loads: &Loads) -> Vec<SpatialInertia> {
     all
 }
 
-/// Six by six: the rows and columns of one body.
-pub(super) type Block = SMatrix<f64, 6, 6>;
-
 /// A body's block of M (eq. 48), and its rate: x' in the world first, then omega in its own axes.
 fn mass_block(inertia: &SpatialInertia, rotation: &Matrix3, omega: Vector3) -> [Block; 2] {
     let (mut m, mut m_dot) = (Block::zeros(), Block::zeros());
@@ -142,39 +140,57 @@ fn put(block: &mut Block, row: usize, column: usize, entries: &Matrix3) {
     }
 }
 
-/// The blocks of M (eq. 48) and of its rate, by body.
-pub(super) fn mass_blocks(model: &Model, frames: &[Frame], x_dot: &DVector<f64>, loads: &Loads) -> Vec<[Block; 2]> {
+/// The block of M in the rows of the first of two bodies with inertia between them, and its rate: `G_1 C G_2^T` with `G =
+/// diag(R, I)`, forces first.
+fn cross_block(inertia: &CrossInertia, rotations: [&Matrix3; 2], omegas: [Vector3; 2]) -> [Block; 2] {
+    let ([r, s], [skew, other_skew]) = (rotations, omegas.map(hat));
+    let (s_t, linear) = (s.transpose(), inertia.linear);
+    let (mut m, mut m_dot) = (Block::zeros(), Block::zeros());
+    put(&mut m, 0, 0, &(*r * linear * s_t));
+    put(&mut m, 0, 3, &(*r * inertia.force_by_turning));
+    put(&mut m, 3, 0, &(inertia.moment_by_velocity * s_t));
+    put(&mut m, 3, 3, &inertia.angular);
+    put(&mut m_dot, 0, 0, &(*r * (skew * linear - linear * other_skew) * s_t));
+    put(&mut m_dot, 0, 3, &(*r * skew * inertia.force_by_turning));
+    put(&mut m_dot, 3, 0, &-(inertia.moment_by_velocity * other_skew * s_t));
+    [m, m_dot]
+}
+
+/// M (eq. 48) and its rate.
+pub(super) fn mass_matrices(model: &Model, frames: &[Frame], x_dot: &DVector<f64>, loads: &Loads) -> [SparseBlocks; 2] {
+    let inertias = inertias(model, loads);
     let of =
         |(body, inertia): (usize, &SpatialInertia)| mass_block(inertia, &frames[body].rotation, omega_of(x_dot, body));
-    inertias(model, loads).iter().enumerate().map(of).collect()
+    let own: Vec<[Block; 2]> = inertias.iter().enumerate().map(of).collect();
+    let between = loads.added_inertia_between.iter().flat_map(|([first, second], inertia)| {
+        let rotations = [*first, *second].map(|body| &frames[body].rotation);
+        let blocks = cross_block(inertia, rotations, [*first, *second].map(|body| omega_of(x_dot, body)));
+        let mirrored = blocks.map(|block| block.transpose());
+        [(*first, *second, blocks), (*second, *first, mirrored)]
+    });
+    let between: Vec<(usize, usize, [Block; 2])> = between.collect();
+    [0, 1].map(|k| SparseBlocks {
+        diagonal: own.iter().map(|blocks| blocks[k]).collect(),
+        beside: between.iter().map(|(row, column, blocks)| (*row, *column, blocks[k])).collect(),
+    })
 }
 
-/// A matrix with these blocks on its diagonal.
-pub(super) fn diagonal(blocks: impl ExactSizeIterator<Item = Block>) -> DMatrix<f64> {
-    let n = 6 * blocks.len();
-    let mut matrix = DMatrix::zeros(n, n);
-    for (body, block) in blocks.enumerate() {
-        matrix.view_mut((6 * body, 6 * body), (6, 6)).copy_from(&block);
-    }
-    matrix
+/// M' + D M, the rate of the momentum per velocity.
+pub(super) fn momentum_rate(m: &SparseBlocks, m_dot: &SparseBlocks, d: &[Block]) -> SparseBlocks {
+    let own = d.iter().zip(&m.diagonal).zip(&m_dot.diagonal).map(|((d, m), m_dot)| m_dot + d * m);
+    let beside = m.beside.iter().zip(&m_dot.beside);
+    let beside = beside.map(|((row, column, m), (_, _, m_dot))| (*row, *column, m_dot + d[*row] * m));
+    SparseBlocks { diagonal: own.collect(), beside: beside.collect() }
 }
 
-/// The product of a matrix with these blocks on its diagonal, and another matrix: the zeros are left out.
-pub(super) fn times(blocks: impl Iterator<Item = Block>, right: &DMatrix<f64>) -> DMatrix<f64> {
-    let mut product = DMatrix::zeros(right.nrows(), right.ncols());
-    for (body, block) in blocks.enumerate() {
-        let rows = block * right.fixed_rows::<6>(6 * body);
-        product.fixed_rows_mut::<6>(6 * body).copy_from(&rows);
-    }
-    product
-}
-
-/// The blocks of D (eq. 57), by body: diag(0, hat(omega)), and for a full 6x6 inertia `R^T hat(x')` below it.
+/// The blocks of D (eq. 57), by body: diag(0, hat(omega)), and below it `R^T hat(x')` where the inertia is not that of a
+/// rigid body.
 pub(super) fn d_blocks(model: &Model, frames: &[Frame], x_dot: &DVector<f64>, loads: &Loads) -> Vec<Block> {
+    let is_coupled = |body: usize| loads.added_inertia_between.iter().any(|(bodies, _)| bodies.contains(&body));
     let of = |(body, inertia): (usize, &SpatialInertia)| {
         let mut d = Block::zeros();
         put(&mut d, 3, 3, &hat(omega_of(x_dot, body)));
-        if !inertia.is_rigid_about_centre_of_mass() {
+        if !inertia.is_rigid_about_centre_of_mass() || is_coupled(body) {
             put(&mut d, 3, 0, &(frames[body].rotation.transpose() * hat(x_dot_of(x_dot, body))));
         }
         d

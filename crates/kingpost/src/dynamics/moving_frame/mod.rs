@@ -6,7 +6,7 @@
 //! | `b` | B (eqs. 45-46): the rates of all bodies from the generalized velocity |
 //! | `b_dot` | B', by the product rule |
 //! | `x_dot` | the Cartesian rates (eq. 44a): by body, x' in the world, omega in body axes |
-//! | `m` | M (eq. 48); a body with a full 6x6 inertia fills its block |
+//! | `m` | M (eq. 48); a body with a full 6x6 inertia fills its block, inertia between two bodies those beside the diagonal |
 //! | `d` | D (eq. 57), the term of the restricted variation of omega (eqs. 55, 58) |
 //! | `f` | {F} (eq. 59, there {Q}), motors as couples on the child and back on the parent |
 //! | `m_star`, `n_star`, `f_star` | M*, N*, F* (eqs. 60a-60c) |
@@ -21,6 +21,7 @@ mod factors;
 mod formula;
 mod labels;
 mod loops;
+mod sparse_blocks;
 mod symbolic;
 mod symbols;
 
@@ -33,9 +34,9 @@ pub use symbols::{Naming, Symbols};
 use super::Loads;
 use crate::model::{Model, MotionType, Node};
 use crate::spatial::{Frame, Vector3};
-use blocks::Block;
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
+use sparse_blocks::{Block, SparseBlocks};
 
 /// The variation of the angular velocity in Hamilton's principle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -118,27 +119,26 @@ impl MovingFrame {
         let x_dot = &b * &velocity;
         let column_rates = blocks::joint_column_rates(&model.tree, &columns, v, &x_dot);
         let b_dot = blocks::b_dot_matrix(&model.tree, &frames, &x_dot, &columns, &column_rates);
-        let of_mass = blocks::mass_blocks(model, &frames, &x_dot, loads);
-        let of_variation = match variation {
+        let [m, m_dot] = blocks::mass_matrices(model, &frames, &x_dot, loads);
+        let d = match variation {
             Variation::Restricted => blocks::d_blocks(model, &frames, &x_dot, loads),
             Variation::Naive => vec![Block::zeros(); frames.len()],
         };
-        let m_of = || of_mass.iter().map(|[m, _]| *m);
-        let momentum_rate = || of_mass.iter().zip(&of_variation).map(|([m, m_dot], d)| m_dot + d * m);
+        let momentum_rate = blocks::momentum_rate(&m, &m_dot, &d);
         let f = blocks::force_list(model, &frames, &columns, loads);
 
         let free = model.free_coordinates();
         let (b_free, b_dot_free) = (b.select_columns(&free), b_dot.select_columns(&free));
-        let mut m_star = b_free.transpose() * blocks::times(m_of(), &b_free);
+        let mut m_star = b_free.transpose() * m.times(&b_free);
         for (k, &i) in free.iter().enumerate() {
             m_star[(k, k)] += model.rotor_inertia[i];
         }
-        let rate_of_momentum = blocks::times(m_of(), &b_dot_free) + blocks::times(momentum_rate(), &b_free);
+        let rate_of_momentum = m.times(&b_dot_free) + momentum_rate.times(&b_free);
         let n_star = b_free.transpose() * rate_of_momentum;
         let (given_velocity, given_acceleration) = prescribed(model, v, loads);
         let column = |x: DVector<f64>| DMatrix::from_column_slice(x.len(), 1, x.as_slice());
-        let given = blocks::times(m_of(), &column(&b * &given_acceleration + &b_dot * &given_velocity))
-            + blocks::times(momentum_rate(), &column(&b * given_velocity));
+        let given = m.times(&column(&b * &given_acceleration + &b_dot * &given_velocity))
+            + momentum_rate.times(&column(&b * given_velocity));
         let f_star = b_free.transpose() * (&f - given.column(0));
         let free_velocity = DVector::from_iterator(free.len(), free.iter().map(|&i| v[i]));
         let x_bias_acceleration = &b_dot * &velocity;
@@ -159,9 +159,9 @@ impl MovingFrame {
             b,
             b_dot,
             x_dot,
-            m: blocks::diagonal(m_of()),
-            m_dot: blocks::diagonal(of_mass.iter().map(|[_, m_dot]| *m_dot)),
-            d: blocks::diagonal(of_variation.iter().copied()),
+            m: m.to_matrix(),
+            m_dot: m_dot.to_matrix(),
+            d: SparseBlocks { diagonal: d, beside: Vec::new() }.to_matrix(),
             f,
             m_star,
             n_star,
@@ -184,8 +184,8 @@ impl MovingFrame {
         let b = blocks::b_matrix(&model.tree, &frames, &columns);
         let (x_dot, free) = (&b * DVector::from_column_slice(v), model.free_coordinates());
         let b_free = b.select_columns(&free);
-        let of_mass = blocks::mass_blocks(model, &frames, &x_dot, loads);
-        let mut m_star = b_free.transpose() * blocks::times(of_mass.iter().map(|[m, _]| *m), &b_free);
+        let [m, _] = blocks::mass_matrices(model, &frames, &x_dot, loads);
+        let mut m_star = b_free.transpose() * m.times(&b_free);
         for (k, &i) in free.iter().enumerate() {
             m_star[(k, k)] += model.rotor_inertia[i];
         }

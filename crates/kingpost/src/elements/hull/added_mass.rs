@@ -4,7 +4,7 @@
 //! nu: the force of the water is `-(A nu' + nu x* A nu)`. This module adds, as a load, the difference of the actual
 //! force from this one.
 
-use super::{CoefficientFrame, Hull, Radiation, SeaAxes, SlowFilter};
+use super::{CoefficientFrame, Hull, Radiation, SeaAxes, SlowFilter, WaveCoordinates};
 use crate::dynamics::Loads;
 use crate::elements::Context;
 use crate::scalar::Scalar;
@@ -23,6 +23,43 @@ pub struct QuadraticTerms {
     /// Whether `-(v x p)_z`, the moment that turns a hull in oblique motion across the flow, is already in the yaw
     /// moments of a table of current coefficients.
     pub munk_by_table: bool,
+}
+
+impl QuadraticTerms {
+    /// Returns `nu x* p` of the momentum p of the water, without Munk's yaw moment if a table contains it.
+    pub(super) fn of<S: Scalar>(self, twist: &Twist<S>, momentum: &Wrench<S>) -> Wrench<S> {
+        let mut terms = twist.cross_momentum(momentum);
+        if self.munk_by_table {
+            terms.moment -= Vector3::new(S::ZERO, S::ZERO, twist.linear.cross(momentum.force)[2]);
+        }
+        terms
+    }
+}
+
+/// The velocity of a hull relative to the water, and the part of its rate that is due to its rotation.
+pub(super) struct ThroughWater<S> {
+    pub relative: Twist<S>,
+    pub turned: Twist<S>,
+}
+
+impl<S: Scalar> WaveCoordinates<S> {
+    /// Returns the velocity nu_r and `omega x R^T u` in the axes of the body, about its centre of mass.
+    pub(super) fn in_stream(&self, at: &Context<'_, S>, twist: &Twist<S>) -> ThroughWater<S> {
+        let stream = at.links.to_body_axes(at.model, self.coefficients.body, at.world.surface_current());
+        let relative = Twist { linear: twist.linear - stream, ..*twist };
+        let turned = Twist { linear: twist.angular.cross(stream), angular: Vector3::zero() };
+        ThroughWater { relative, turned }
+    }
+
+    /// Returns the velocity of the slow frame, in its axes, and `omega x v` of it.
+    pub(super) fn slowly(&self, at: &Context<'_, S>) -> ThroughWater<S> {
+        let [x, y, turning] = SlowFilter::read(at.states).output_rates(self.cutoff_rad_s);
+        let (moving, angular) = (Vector3::new(x, y, S::ZERO), Vector3::new(S::ZERO, S::ZERO, turning));
+        let level = self.low_frequency_frame(at).rotation();
+        let relative = Twist { linear: level.transpose_times(moving - at.world.surface_current()), angular };
+        let turned = Twist { linear: angular.cross(relative.linear), angular: Vector3::zero() };
+        ThroughWater { relative, turned }
+    }
 }
 
 /// The added mass of a hull about the origin of its coefficients, in their axes.
@@ -71,9 +108,9 @@ impl<S: Scalar> Hull<S> {
             None => Wrench::zero(),
             Some(added) if self.quadratic_terms.of_slow_motion => self.in_waves(added, at, axes, off_rate, loads),
             Some(added) if self.radiation.is_some() => {
-                let listing = axes.listing(&added.infinite, &self.coefficients);
+                let listing = axes.listing(&added.infinite, &self.coordinates.coefficients);
                 loads.added_inertia.push((self.frame.body, listing - added.in_body));
-                self.in_current(&listing, &axes.listing(&added.slow, &self.coefficients), at)
+                self.in_current(&listing, &axes.listing(&added.slow, &self.coordinates.coefficients), at)
             }
             Some(added) => self.in_current(&added.in_body, &added.in_body, at),
         }
@@ -85,10 +122,9 @@ impl<S: Scalar> Hull<S> {
     /// is towed obliquely; it does no work.
     fn in_current(&self, added: &SpatialInertia<S>, slow: &SpatialInertia<S>, at: &Context<'_, S>) -> Wrench<S> {
         let twist = at.links.body_twist(at.model, self.frame.body);
-        let stream = at.links.to_body_axes(at.model, self.frame.body, at.world.surface_current());
-        let relative = Twist { linear: twist.linear - stream, ..twist };
-        let turned = Twist { linear: twist.angular.cross(stream), angular: Vector3::zero() };
-        twist.cross_momentum(&added.times(&twist)) - added.times(&turned) - self.cross_momentum(slow, &relative)
+        let ThroughWater { relative, turned } = self.coordinates.in_stream(at, &twist);
+        let quadratic = self.quadratic_terms.of(&relative, &slow.times(&relative));
+        twist.cross_momentum(&added.times(&twist)) - added.times(&turned) - quadratic
     }
 
     /// Returns the load in waves. To first order A refers to the axes of the wave loads, w = T nu, and wave-frequency
@@ -105,29 +141,10 @@ impl<S: Scalar> Hull<S> {
     ) -> Wrench<S> {
         let seen = axes.inertia_in_body(&added.infinite);
         loads.added_inertia.push((self.frame.body, seen - added.in_body));
-        let slow = self.slow_motion(at);
-        let level = self.low_frequency_frame(at).rotation();
-        let through_water = Twist { linear: level.transpose_times(slow.linear - at.world.surface_current()), ..slow };
-        let turned = Twist { linear: slow.angular.cross(through_water.linear), angular: Vector3::zero() };
-        let quadratic = self.cross_momentum(&added.slow, &through_water) - added.slow.times(&turned);
+        let ThroughWater { relative, turned } = self.coordinates.slowly(at);
+        let quadratic = self.quadratic_terms.of(&relative, &added.slow.times(&relative)) - added.slow.times(&turned);
         let twist = at.links.body_twist(at.model, self.frame.body);
         let to_first_order = added.infinite.times(&axes.drift(&twist, off_rate));
         twist.cross_momentum(&seen.times(&twist)) - axes.wrench_to_body(&(to_first_order + quadratic))
-    }
-
-    /// Returns `nu x* A nu`, without Munk's yaw moment if a table contains it.
-    fn cross_momentum(&self, added: &SpatialInertia<S>, twist: &Twist<S>) -> Wrench<S> {
-        let momentum = added.times(twist);
-        let mut terms = twist.cross_momentum(&momentum);
-        if self.quadratic_terms.munk_by_table {
-            terms.moment -= Vector3::new(S::ZERO, S::ZERO, twist.linear.cross(momentum.force)[2]);
-        }
-        terms
-    }
-
-    /// Returns the velocity of the slow frame in the world.
-    fn slow_motion(&self, at: &Context<'_, S>) -> Twist<S> {
-        let [x, y, turning] = SlowFilter::read(at.states).output_rates(self.cutoff_rad_s);
-        Twist { linear: Vector3::new(x, y, S::ZERO), angular: Vector3::new(S::ZERO, S::ZERO, turning) }
     }
 }

@@ -2,7 +2,7 @@
 
 use kingpost_derive::fields;
 
-use crate::scenario::schema::{DatabasePath, Name, Positive, yes};
+use crate::scenario::schema::{DatabasePath, LocalName, Name, Positive, yes};
 
 /// The water on a hull, by potential theory at zero forward speed: buoyancy, added mass, radiated and incident waves.
 /// Weight is not included: `gravity` acts on every body.
@@ -15,6 +15,9 @@ pub struct Hydrodynamics<S = f64> {
     pub body: Name,
     /// File of the hydrodynamic database, relative to the scenario's file.
     pub database: DatabasePath,
+    /// Name of the hull in a database of several hulls that feel each other; if it is left out, the name of the body. Every hull
+    /// of such a database takes part, each once.
+    pub hull: Option<LocalName>,
     /// The database's origin in the body's drawing frame, m; the axes are the body's. The origin lies on the waterplane
     /// at the database's draught.
     #[serde(default)]
@@ -51,6 +54,13 @@ pub struct Hydrodynamics<S = f64> {
     /// the filter follows without lag.
     #[serde(default = "slow_motion_cutoff")]
     pub slow_motion_cutoff_rad_s: Positive,
+}
+
+impl<S> Hydrodynamics<S> {
+    /// Returns the name of the hull in a database of several.
+    pub fn name_in_database(&self) -> &str {
+        self.hull.as_deref().unwrap_or(&self.body)
+    }
 }
 
 /// The default of `slow_motion_cutoff_rad_s`.

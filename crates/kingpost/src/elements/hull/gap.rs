@@ -21,8 +21,14 @@ impl Plan {
         Self { along: range(0, hull.length_m), across: range(1, hull.beam_m) }
     }
 
-    fn length(&self) -> f64 {
+    /// Returns the length of the waterline, m.
+    pub fn length(&self) -> f64 {
         self.along[1] - self.along[0]
+    }
+
+    /// Returns the distance to another rectangle, m, with each body at x and y with a heading (rad); 0 if they overlap.
+    pub fn distance_to(&self, here: [f64; 3], other: &Self, there: [f64; 3]) -> f64 {
+        distance(&self.corners(here), &other.corners(there))
     }
 
     /// Returns its corners in order, world, m, for a body at x and y with the heading `yaw`.
@@ -67,7 +73,7 @@ impl Watcher for HullGap {
 
     fn see(&mut self, time_s: f64, values: &[f64]) {
         let [first, second] = values.as_chunks::<3>().0 else { return };
-        let gap = distance(&self.hulls[0].1.corners(*first), &self.hulls[1].1.corners(*second));
+        let gap = self.hulls[0].1.distance_to(*first, &self.hulls[1].1, *second);
         if self.least.is_none_or(|[least, _]| gap < least) {
             self.least = Some([gap, time_s]);
         }

@@ -7,34 +7,41 @@ mod added_mass;
 pub(crate) mod assembly;
 mod by_heading;
 mod carried;
+mod coordinates;
 mod drift_damping;
 mod excitation;
 pub(crate) mod fields;
 mod gap;
+mod interaction;
 mod linear_limits;
 mod mean_attitude;
 mod mesh_in_waves;
 mod place;
 mod radiation;
 mod slow_filter;
+mod spacing;
 mod wave_data;
 
 pub use added_mass::{AddedMass, QuadraticTerms, added_inertia};
 use by_heading::ByHeading;
 pub use carried::Carried;
 use carried::CarriedFilter;
+pub use coordinates::WaveCoordinates;
+use coordinates::{Seen, States};
 pub use excitation::{HullVelocity, WaveExcitation, WaveForceSwitches};
 pub use gap::{HullGap, Plan};
+pub use interaction::{CoupledHull, HullInteraction};
 pub use linear_limits::LinearLimits;
 pub use mean_attitude::{LARGEST_LIST_DEG, MeanAttitude};
 pub use mesh_in_waves::MeshInWaves;
 pub use place::{CoefficientFrame, HullFrame, HullMotion, LowFrequencyFrame, SeaAxes};
 pub use radiation::Radiation;
 pub use slow_filter::SlowFilter;
+pub use spacing::{HullSpacing, SpacedHull};
 
 use super::{
-    AnyElement, AnyWatcher, Context, Declaration, Element, ElementState, EvaluationMode, Output, RegularWaves,
-    ShownWaves, Support, VectorFrame, of_kind,
+    AnyElement, AnyWatcher, Context, Declaration, Element, ElementState, Output, RegularWaves, ShownWaves, Support,
+    VectorFrame, of_kind,
 };
 use crate::dynamics::{Kinematics, Loads};
 use crate::scalar::Scalar;
@@ -96,11 +103,8 @@ pub struct Hull<S = f64> {
     pub name: String,
     /// The frame of the upright hull on its body: for buoyancy and drawing.
     pub frame: HullFrame<S>,
-    /// Axes of radiation, added mass and excitation: the hull's axes in the attitude for which the coefficients were
-    /// computed.
-    pub coefficients: CoefficientFrame<S>,
-    /// The bodies that the ship carries.
-    pub carried: Carried<S>,
+    /// The coordinates of its wave loads.
+    pub coordinates: WaveCoordinates<S>,
     /// The added mass, if it acts.
     pub added_mass: Option<AddedMass<S>>,
     /// Buoyancy.
@@ -115,12 +119,12 @@ pub struct Hull<S = f64> {
     pub wave_pressure: Option<Box<MeshInWaves<S>>>,
     /// The rectangle around its waterline.
     pub plan: Plan,
+    /// The other bodies whose hulls it feels, by the coupling of its database.
+    pub feels: Vec<usize>,
     /// Its watchers.
     pub watchers: Vec<AnyWatcher>,
     /// Quadratic terms of the added mass that act.
     pub quadratic_terms: QuadraticTerms,
-    /// Cut-off of the filter of the slow frame, rad/s.
-    pub cutoff_rad_s: f64,
 }
 
 impl<S: Scalar> Hull<S> {
@@ -154,14 +158,15 @@ impl<S: Scalar> Element<S> for Hull<S> {
     /// Sets the states of a hull that has always moved through the water at its present horizontal velocity; for heave,
     /// roll, pitch and yaw the memory begins at zero.
     fn begin(&mut self, at: &Context<'_, S>, own: &mut ElementState<'_, S>) {
-        let in_world = self.coefficients.frame(at.model, at.links);
+        let WaveCoordinates { coefficients, carried: bodies, cutoff_rad_s } = &self.coordinates;
+        let in_world = coefficients.frame(at.model, at.links);
         let place = LowFrequencyFrame::of(&in_world);
         let States { place: of_place, carried, radiation: of_radiation } = States::of_mut(own.states);
-        let rates = SeaAxes::of(&self.coefficients, &in_world, &place, [S::ZERO; 2])
+        let rates = SeaAxes::of(coefficients, &in_world, &place, [S::ZERO; 2])
             .rates(&at.links.body_twist(at.model, self.frame.body));
         let [x, y, _] = (place.rotation() * rates.linear).0;
-        SlowFilter::steady(&place, [x, y], self.cutoff_rad_s).write(of_place);
-        let [centre, _] = self.carried.centre(at, self.frame.body, &place);
+        SlowFilter::steady(&place, [x, y], *cutoff_rad_s).write(of_place);
+        let [centre, _] = bodies.centre(at, self.frame.body, &place);
         CarriedFilter::at_rest(centre).write(carried);
         if let Some(radiation) = &self.radiation {
             let [x, y, ..] = self.through_water(at, &place, &rates);
@@ -173,7 +178,7 @@ impl<S: Scalar> Element<S> for Hull<S> {
     fn loads(&mut self, at: &Context<'_, S>, loads: &mut Loads<S>) {
         let (hull, specific_weight) = (self.frame.frame(at.model, at.links), at.world.specific_weight());
         let buoyancy = self.hydrostatics.wrench(&FloatingPosition::of(&hull), specific_weight);
-        let Seen { slow, off, axes, twist } = self.seen(at);
+        let Seen { slow, off, axes, twist } = self.coordinates.seen(at);
         let mut by_the_sea = [S::ZERO; 6];
         if let Some(radiation) = &self.radiation {
             by_the_sea = radiation.force(States::of(at.states).radiation);
@@ -196,16 +201,17 @@ impl<S: Scalar> Element<S> for Hull<S> {
     }
 
     fn rates(&mut self, at: &Context<'_, S>, rates: &mut [S]) {
-        let in_world = self.coefficients.frame(at.model, at.links);
+        let WaveCoordinates { coefficients, carried, cutoff_rad_s } = &self.coordinates;
+        let in_world = coefficients.frame(at.model, at.links);
         let (now, of) = (States::of(at.states), States::of_mut(rates));
         let filter = SlowFilter::read(now.place);
-        filter.rates(&LowFrequencyFrame::of(&in_world), self.cutoff_rad_s).write(of.place);
+        filter.rates(&LowFrequencyFrame::of(&in_world), *cutoff_rad_s).write(of.place);
         let slow = filter.frame();
-        let (centre, average) = (self.carried.centre(at, self.frame.body, &slow), CarriedFilter::read(now.carried));
-        average.rates(centre[0], self.cutoff_rad_s).write(of.carried);
+        let (centre, average) = (carried.centre(at, self.frame.body, &slow), CarriedFilter::read(now.carried));
+        average.rates(centre[0], *cutoff_rad_s).write(of.carried);
         if let Some(radiation) = &self.radiation {
-            let [off, _] = average.off(centre, self.cutoff_rad_s);
-            let axes = SeaAxes::of(&self.coefficients, &in_world, &slow, off);
+            let [off, _] = average.off(centre, *cutoff_rad_s);
+            let axes = SeaAxes::of(coefficients, &in_world, &slow, off);
             let rates = axes.rates(&at.links.body_twist(at.model, self.frame.body));
             radiation.rates(&self.through_water(at, &slow, &rates), now.radiation, of.radiation);
         }
@@ -218,7 +224,7 @@ impl<S: Scalar> Element<S> for Hull<S> {
     }
 
     fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
-        let Seen { slow, axes, twist, .. } = self.seen(at);
+        let Seen { slow, axes, twist, .. } = self.coordinates.seen(at);
         let (none, time_s, specific_weight) = ([S::ZERO; 6], at.clock.time_s, at.world.specific_weight());
         let velocity = self.velocity(at, &slow, &axes.rates(&twist));
         let (elevation, mut excitation_force, drift) = match (&mut self.excitation, &at.world.waves) {
@@ -300,69 +306,10 @@ fn outputs(name: &str) -> Vec<Output> {
     ]
 }
 
-/// A hull at one moment, for the wave loads.
-struct Seen<S> {
-    slow: LowFrequencyFrame<S>,
-    /// [`Hull::off`].
-    off: [[S; 2]; 2],
-    axes: SeaAxes<S>,
-    /// Twist of the body about its centre of mass, in its axes.
-    twist: Twist<S>,
-}
-
-/// States of a hull, or their rates: those of the position filter, of the filter of the carried bodies, and of
-/// radiation.
-struct States<T> {
-    place: T,
-    carried: T,
-    radiation: T,
-}
-
-impl<'a, S: Scalar> States<&'a [S]> {
-    fn of(states: &'a [S]) -> Self {
-        let (place, rest) = states.split_at(SlowFilter::<S>::LEN);
-        let (carried, radiation) = rest.split_at(CarriedFilter::<S>::LEN);
-        Self { place, carried, radiation }
-    }
-}
-
-impl<'a, S: Scalar> States<&'a mut [S]> {
-    fn of_mut(states: &'a mut [S]) -> Self {
-        let (place, rest) = states.split_at_mut(SlowFilter::<S>::LEN);
-        let (carried, radiation) = rest.split_at_mut(CarriedFilter::<S>::LEN);
-        Self { place, carried, radiation }
-    }
-}
-
 impl<S: Scalar> Hull<S> {
     fn water_kinetic_energy(&self, at: &Context<'_, S>) -> S {
         let twist = at.links.body_twist(at.model, self.frame.body);
         self.added_mass.as_ref().map_or(S::ZERO, |added| added.in_body.quadratic(&twist) * S::constant(0.5))
-    }
-
-    /// Returns the average position of the hull; while an equilibrium is sought, its present position.
-    fn low_frequency_frame(&self, at: &Context<'_, S>) -> LowFrequencyFrame<S> {
-        match at.evaluation {
-            EvaluationMode::Settling => LowFrequencyFrame::of(&self.coefficients.frame(at.model, at.links)),
-            _ => SlowFilter::read(at.states).frame(),
-        }
-    }
-
-    /// Returns the horizontal deviation of the ship's centre of mass from its mean position relative to the hull, m,
-    /// and the rate of this deviation.
-    fn off(&self, at: &Context<'_, S>, slow: &LowFrequencyFrame<S>) -> [[S; 2]; 2] {
-        if at.evaluation == EvaluationMode::Settling {
-            return [[S::ZERO; 2]; 2];
-        }
-        let centre = self.carried.centre(at, self.frame.body, slow);
-        CarriedFilter::read(States::of(at.states).carried).off(centre, self.cutoff_rad_s)
-    }
-
-    fn seen(&self, at: &Context<'_, S>) -> Seen<S> {
-        let slow = self.low_frequency_frame(at);
-        let off = self.off(at, &slow);
-        let axes = SeaAxes::of(&self.coefficients, &self.coefficients.frame(at.model, at.links), &slow, off[0]);
-        Seen { slow, off, axes, twist: at.links.body_twist(at.model, self.frame.body) }
     }
 
     /// Returns the hull's velocity. It includes the wave-frequency part, whose mean over the slow changes of the drift

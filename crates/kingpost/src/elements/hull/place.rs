@@ -215,8 +215,12 @@ impl<S: Scalar> SeaAxes<S> {
 
     /// Returns A of a listing hull at its average attitude, about the centre of mass in the body's axes.
     pub fn listing(&self, added: &SpatialInertia<S>, on: &CoefficientFrame<S>) -> SpatialInertia<S> {
-        let rotation = (self.leaning * self.to_data).transpose();
-        added.to_parent(&Frame { rotation, position: on.in_body.position })
+        added.to_parent(&self.level_in_body(on))
+    }
+
+    /// Returns the level axes of the hull at its average attitude, about the coefficients' origin, in the frame of the body.
+    pub fn level_in_body(&self, on: &CoefficientFrame<S>) -> Frame<S> {
+        Frame { rotation: (self.leaning * self.to_data).transpose(), position: on.in_body.position }
     }
 }
 

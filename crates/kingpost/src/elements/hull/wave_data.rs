@@ -25,7 +25,7 @@ impl<'a, S: Scalar> InRegularWaves<'a, S> {
     }
 
     fn frame(&self, bodies: &Kinematics<S>) -> Frame<S> {
-        bodies.world[self.hull.frame.body].times(&self.hull.coefficients.in_body)
+        bodies.world[self.hull.frame.body].times(&self.hull.coordinates.coefficients.in_body)
     }
 }
 
@@ -48,7 +48,8 @@ impl<S: Scalar> RegularWaves<S> for InRegularWaves<'_, S> {
     /// Returns the rates along the axes of the wave loads, about the database's origin.
     fn along(&self, bodies: &Kinematics<S>, twists: &[Twist<S>]) -> [S; 6] {
         let frame = self.frame(bodies);
-        let axes = SeaAxes::of(&self.hull.coefficients, &frame, &LowFrequencyFrame::of(&frame), [S::ZERO; 2]);
+        let axes =
+            SeaAxes::of(&self.hull.coordinates.coefficients, &frame, &LowFrequencyFrame::of(&frame), [S::ZERO; 2]);
         let rates = axes.rates(&twists[self.hull.frame.body]);
         modes(rates.linear, rates.angular)
     }

@@ -24,12 +24,13 @@ pub fn of(setup: &Setup) -> Vec<AnyWatcher> {
     pendants.chain(rods).chain(gaps(model, &hulls)).chain([energy]).collect()
 }
 
-/// The hydrodynamics of a hull neglects the interaction with other hulls.
+/// The hydrodynamics of a hull neglects the interaction with other hulls that are not in its database.
 fn gaps<'a>(model: &'a Model, hulls: &'a [&'a Hull]) -> impl Iterator<Item = AnyWatcher> + 'a {
     let of = |hull: &Hull| (model.bodies[hull.frame.body].name.as_str(), hull.plan);
     let pairs =
         hulls.iter().enumerate().flat_map(|(k, first)| hulls[k + 1..].iter().map(move |second| [first, second]));
-    let pairs = pairs.filter(|[first, second]| first.frame.body != second.frame.body);
+    let pairs = pairs
+        .filter(|[first, second]| first.frame.body != second.frame.body && !first.feels.contains(&second.frame.body));
     pairs.map(move |pair| -> AnyWatcher { Box::new(HullGap::new(pair.map(|hull| of(hull)))) })
 }
 

@@ -116,7 +116,7 @@ fn cut_spectra(scenario: &Scenario) -> Vec<CutSpectrum> {
 pub fn hulls(scenario: &Scenario, setup: &Setup) -> Vec<HullDescription> {
     let described = Hull::among(&setup.elements).filter_map(|hull| {
         let water = scenario.hydrodynamics(&hull.name)?;
-        let at_rest = &scenario.files.database(&water.database)?.hull;
+        let at_rest = &scenario.database_of(&hull.name)?.hull;
         let is_linear = water.hydrostatics != schema::Hydrostatics::Mesh;
         Some(hull_description(hull, &setup.model.bodies[hull.frame.body].name, at_rest, is_linear))
     });

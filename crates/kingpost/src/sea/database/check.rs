@@ -1,27 +1,50 @@
 //! Checks that apply to every database.
 
 use super::error::{Checked, unless};
-use super::{Attitude, Database, ExcitationTable, RadiationModel, SixBySix, physical, plausible};
+use super::physical::Coefficients;
+use super::{Attitude, Database, ExcitationTable, Matrix, Memory, MemoryOfMode, SixBySix, physical, plausible};
 
 /// Largest deviation of a direction from the regular grid, rad: the rounding of seven digits.
 const GRID_TOLERANCE_RAD: f64 = 1e-5;
 
 pub(super) fn check(database: &Database) -> Checked {
-    unless(database.format == "kingpost-hydrodynamics", "format", &database.format, "kingpost-hydrodynamics")?;
-    unless(database.version == 1, "version", database.version, "1")?;
+    check_format(&database.format, database.version, 1)?;
+    check_hull(database)?;
+    let matrices = |all: &[SixBySix]| -> Vec<Matrix> { all.iter().map(to_matrix).collect() };
+    let (added_mass, damping) = (matrices(&database.added_mass), matrices(&database.radiation_damping));
+    let (infinite, modes) = (to_matrix(&database.added_mass_infinite), physical::modes_of_one());
+    let given = Coefficients { added_mass: &added_mass, damping: &damping, infinite: &infinite, modes: &modes };
+    physical::check_matrices(&given, &[database])?;
+    plausible::check(database)?;
+    database.radiation.as_ref().map_or(Ok(()), |model| {
+        let memory: Memory = model.modes.iter().map(MemoryOfMode::from).collect();
+        check_memory(&memory, &database.frequencies_rad_s, &modes)
+    })
+}
+
+pub(super) fn check_format(format: &str, version: u32, expected: u32) -> Checked {
+    unless(format == "kingpost-hydrodynamics", "format", format, "kingpost-hydrodynamics")?;
+    unless(version == expected, "version", version, &expected.to_string())
+}
+
+/// Checks everything of one hull but the physics of its matrices.
+pub(super) fn check_hull(database: &Database) -> Checked {
     check_water_and_hull(database)?;
     check_drift_loading(database)?;
     check_grids(database)?;
     check_matrices(database)?;
     check_excitation("froude_krylov", database, &database.froude_krylov)?;
     check_excitation("diffraction", database, &database.diffraction)?;
-    check_mean_drift(database)?;
-    physical::check_matrices(database)?;
-    plausible::check(database)?;
-    database.radiation.as_ref().map_or(Ok(()), |model| {
-        check_radiation(model)?;
-        physical::check_radiation(model, &database.frequencies_rad_s)
-    })
+    check_mean_drift(database)
+}
+
+pub(super) fn check_memory(memory: &Memory, frequencies_rad_s: &[f64], modes: &[String]) -> Checked {
+    check_radiation(memory)?;
+    physical::check_radiation(memory, frequencies_rad_s, modes)
+}
+
+fn to_matrix(rows: &SixBySix) -> Matrix {
+    rows.iter().map(|row| row.to_vec()).collect()
 }
 
 fn check_water_and_hull(database: &Database) -> Checked {
@@ -108,8 +131,8 @@ fn check_waves<const N: usize>(field: &str, database: &Database, given: &[Vec<[f
     unless(fits, field, "another shape", &allowed)
 }
 
-fn check_radiation(model: &RadiationModel) -> Checked {
-    for (k, mode) in model.modes.iter().enumerate() {
+fn check_radiation(memory: &Memory) -> Checked {
+    for (k, mode) in memory.iter().enumerate() {
         let field = format!("radiation.modes.{k}");
         let (poles, residues) = (mode.poles_rad_s.len(), mode.residues.len());
         unless(poles == residues, &field, format!("{poles} poles and {residues} rows of residues"), "as many of both")?;

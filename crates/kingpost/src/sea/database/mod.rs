@@ -10,8 +10,10 @@ mod drift;
 mod error;
 mod physical;
 mod plausible;
+mod several;
 
 pub use error::DatabaseError;
+pub use several::{CouplingBlock, HullCoupling, HullPlace, HydrodynamicData};
 
 use serde::Deserialize;
 use serde_json::Value;
@@ -62,6 +64,9 @@ pub struct Database {
     /// Fitted state-space model of radiation.
     #[serde(default)]
     pub radiation: Option<RadiationModel>,
+    /// Largest distance from the origin at which a hull of the same file scatters waves, m; 0 for one hull alone.
+    #[serde(skip)]
+    pub reach_m: f64,
 }
 
 /// Loading of a hull: the motion in waves depends on it, and so does the drift.
@@ -181,11 +186,40 @@ pub struct RadiationMode {
     pub residues: Vec<[[f64; 2]; 6]>,
 }
 
+/// A square matrix over the modes of one or several hulls, by rows.
+type Matrix = Vec<Vec<f64>>;
+
+/// The memory of one or several hulls, by the mode of the motion.
+type Memory = Vec<MemoryOfMode>;
+
+/// Radiation memory of the motion in one mode, with residues for the modes of one or several hulls.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct MemoryOfMode {
+    poles_rad_s: Vec<[f64; 2]>,
+    residues: Vec<Vec<[f64; 2]>>,
+}
+
+impl From<&RadiationMode> for MemoryOfMode {
+    fn from(mode: &RadiationMode) -> Self {
+        let residues = mode.residues.iter().map(|row| row.to_vec()).collect();
+        Self { poles_rad_s: mode.poles_rad_s.clone(), residues }
+    }
+}
+
 /// Returns a message of the JSON parser without its position, which an error shows before the message, and
 /// without the names of Rust types.
 fn in_words(message: &str) -> String {
     let message = message.rsplit_once(" at line ").map_or(message, |(words, _)| words);
     message.replace("expected f64", "expected a number").replace("invalid type: ", "").replace("invalid length ", "")
+}
+
+fn unreadable(error: &serde_json::Error) -> DatabaseError {
+    DatabaseError {
+        field: format!("line {}, column {}", error.line(), error.column()),
+        found: in_words(&error.to_string()),
+        allowed: "a whole hydrodynamic database, as kingpost hydro writes it".to_owned(),
+    }
 }
 
 impl Database {
@@ -194,11 +228,7 @@ impl Database {
     /// # Errors
     /// The first error: another format, a truncated file, or impossible numbers.
     pub fn read(text: &str) -> Result<Self, DatabaseError> {
-        let database: Self = serde_json::from_str(text).map_err(|error| DatabaseError {
-            field: format!("line {}, column {}", error.line(), error.column()),
-            found: in_words(&error.to_string()),
-            allowed: "a whole hydrodynamic database, as kingpost hydro writes it".to_owned(),
-        })?;
+        let database: Self = serde_json::from_str(text).map_err(|error| unreadable(&error))?;
         check::check(&database)?;
         Ok(database)
     }

@@ -106,10 +106,10 @@ impl Database {
     /// relation at zero speed (J. N. Newman, The exciting forces on fixed bodies in waves, J. Ship Research
     /// 6(3), 1962; *Marine Hydrodynamics*, MIT Press 1977, sections 6.17 and 6.18, where c_g = g / (2 w) over
     /// infinite depth). `|X_i|^2` has harmonics around the circle up to about `2 k R`, where R is the radius
-    /// of the hull in plan; the trapezoidal rule over m directions integrates harmonics below m exactly.
+    /// of the hull in plan, or its distance from what else scatters; the trapezoidal rule over m directions integrates harmonics below m exactly.
     pub fn haskind_damping(&self) -> Vec<Option<[f64; 6]>> {
         let water = waves_water(self);
-        let radius = 0.5 * libm::hypot(self.hull.length_m, self.hull.beam_m);
+        let radius = self.reach_m.max(0.5 * libm::hypot(self.hull.length_m, self.hull.beam_m));
         let directions = self.wave_directions_rad.len() as f64;
         let at = |(n, omega): (usize, &f64)| {
             let k = wave_number(*omega, &water);

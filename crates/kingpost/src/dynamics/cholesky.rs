@@ -1,4 +1,5 @@
-//! Cholesky factorisation of J M*^-1 J^T, in the order of the constraints.
+//! Cholesky factorisation in the order of the rows: of J M*^-1 J^T, row by row of its constraints, and of the inertia of coupled
+//! roots.
 //!
 //! The order is fixed and not chosen by the magnitude of the pivots, so a vanishing pivot identifies the first
 //! constraint that depends on those before it.
@@ -49,6 +50,12 @@ impl<S: Scalar> CholeskyFactor<S> {
     #[inline]
     pub fn set(&mut self, row: usize, column: usize, value: S) {
         self.matrix[row * self.count + column] = value;
+    }
+
+    /// Adds to an entry of the lower triangle.
+    #[inline]
+    pub fn add(&mut self, row: usize, column: usize, value: S) {
+        self.matrix[row * self.count + column] += value;
     }
 
     /// Sets the present diagonal as the reference of a constraint's pivots; infinity unless the constraint

@@ -1,8 +1,10 @@
 //! The hulls in the sea.
 
+mod coupling;
+
 use crate::elements::hull::{
     AddedMass, Carried, CoefficientFrame, FloatingMesh, HullFrame, Hydrostatics, LinearLimits, MeanAttitude,
-    MeshInWaves, Plan, QuadraticTerms, Radiation, WaveExcitation, WaveForceSwitches, added_inertia,
+    MeshInWaves, Plan, QuadraticTerms, Radiation, WaveCoordinates, WaveExcitation, WaveForceSwitches, added_inertia,
 };
 use crate::elements::{AnyElement, AnyWatcher, Hull, MeanHeading};
 use crate::model::{JointKind, Model};
@@ -17,6 +19,9 @@ use crate::sea::hull::{HullMesh, LinearHydrostatics};
 use crate::sea::waves::WaveField;
 use crate::spatial::{Frame, SpatialInertia, Vector3, rotation_from_roll_pitch_yaw};
 use crate::world::World;
+use coupling::{CoupledForce, interaction, place_in};
+use indexmap::IndexMap;
+use std::sync::Arc;
 
 /// Adds the added mass of the water to the model, and returns the loads of the water.
 pub fn build<S: Quantity>(
@@ -24,47 +29,95 @@ pub fn build<S: Quantity>(
     mut model: Model<S>,
     world: &World<S>,
 ) -> Result<(Model<S>, Vec<AnyElement<S>>), FieldError> {
-    let mut hulls: Vec<AnyElement<S>> = Vec::new();
+    let mut hulls: Vec<Hull<S>> = Vec::new();
+    let mut coupled: Vec<CoupledForce<'_, S>> = Vec::new();
     for (name, force) in &scenario.forces {
         let Some(given) = hydrodynamics_of(force).filter(|given| given.enabled) else { continue };
-        let field = |rest: &str| format!("forces.{name}.hydrodynamics.{rest}");
-        let body = floating_body(scenario, &model, &field("body"), &given.body)?;
-        let Some(database) = scenario.files.database(&given.database) else { continue };
-        still_water::gravity(scenario)?;
-        check_water(&field("database"), database, world)?;
-        let origin = from_centre(scenario, &given.body, Vector3(given.origin_m));
-        let coefficients = CoefficientFrame { body, in_body: Frame::translation(origin).times(&attitude(database)) };
-        let radiation = radiation(given, &field("radiation"), database)?;
-        let added = || AddedMass::new(&database.added_mass_infinite, radiation.as_ref(), &coefficients);
-        let added_mass = given.added_mass.then(added);
-        if let Some(added) = &added_mass {
-            model = model.with_added_inertia(body, added.in_body);
+        let Some(data) = scenario.files.hydrodynamic_data(&given.database) else { continue };
+        let place = place_in(name, given, data)?;
+        let Some(database) = scenario.files.database(&given.database, given.name_in_database()) else { continue };
+        let hull = hull(scenario, &model, world, name, given, database)?;
+        if let Some(added) = &hull.added_mass {
+            model = model.with_added_inertia(hull.frame.body, added.in_body);
         }
-        let excitation = excitation(given, &field, database, world)?;
-        let hydrostatics = hydrostatics(given, &field("hydrostatics"), database)?;
-        let waves = world.waves.as_ref().filter(|_| excitation.is_some());
-        let hull = Hull {
-            name: name.to_string(),
-            frame: HullFrame { body, origin },
-            wave_pressure: wave_pressure(given, &field("wave_pressure"), &hydrostatics, waves)?,
-            hydrostatics,
-            carried: carried(&model, body),
-            radiation,
-            added_mass,
-            coefficients,
-            plan: Plan::of(&database.hull, origin.0.map(Scalar::value)),
-            watchers: watchers(given, database, origin.0.map(Scalar::value), excitation.is_some()),
-            quadratic_terms: QuadraticTerms {
-                of_slow_motion: excitation.is_some(),
-                munk_by_table: has_current_table(scenario, given),
-            },
-            cutoff_rad_s: given.slow_motion_cutoff_rad_s.get(),
-            wave_data: given.excitation.then(|| std::sync::Arc::clone(database)),
-            excitation,
-        };
-        hulls.push(Box::new(hull));
+        coupled.push(CoupledForce { name, given, place, origin_m: hull.frame.origin.0.map(Scalar::value) });
+        hulls.push(hull);
     }
-    Ok((model, hulls))
+    let interactions = interactions(scenario, &model, coupled, &mut hulls)?;
+    let hulls = hulls.into_iter().map(|hull| -> AnyElement<S> { Box::new(hull) });
+    Ok((model, hulls.chain(interactions).collect()))
+}
+
+/// Returns the interactions, one for each database of several hulls.
+fn interactions<S: Quantity>(
+    scenario: &Scenario<S>,
+    model: &Model<S>,
+    coupled: Vec<CoupledForce<'_, S>>,
+    hulls: &mut [Hull<S>],
+) -> Result<Vec<AnyElement<S>>, FieldError> {
+    let mut by_file: IndexMap<&str, Vec<(usize, CoupledForce<'_, S>)>> = IndexMap::new();
+    for (hull, force) in coupled.into_iter().enumerate() {
+        by_file.entry(&*force.given.database).or_default().push((hull, force));
+    }
+    let mut interactions: Vec<AnyElement<S>> = Vec::new();
+    for (file, coupled) in by_file {
+        let data = scenario.files.hydrodynamic_data(file);
+        let Some(coupling) = data.and_then(|data| data.coupling()) else { continue };
+        let (places, coupled): (Vec<usize>, Vec<CoupledForce<'_, S>>) = coupled.into_iter().unzip();
+        let own: Vec<&Hull<S>> = places.iter().map(|&place| &hulls[place]).collect();
+        interactions.push(Box::new(interaction(scenario, model, coupling, &coupled, &own)?));
+        let bodies: Vec<usize> = own.iter().map(|hull| hull.frame.body).collect();
+        for place in places {
+            let body = hulls[place].frame.body;
+            hulls[place].feels = bodies.iter().copied().filter(|other| *other != body).collect();
+        }
+    }
+    Ok(interactions)
+}
+
+/// Returns one hull.
+fn hull<S: Quantity>(
+    scenario: &Scenario<S>,
+    model: &Model<S>,
+    world: &World<S>,
+    name: &str,
+    given: &schema::Hydrodynamics<S>,
+    database: &Arc<Database>,
+) -> Result<Hull<S>, FieldError> {
+    let field = |rest: &str| format!("forces.{name}.hydrodynamics.{rest}");
+    let body = floating_body(scenario, model, &field("body"), &given.body)?;
+    still_water::gravity(scenario)?;
+    check_water(&field("database"), database, world)?;
+    let origin = from_centre(scenario, &given.body, Vector3(given.origin_m));
+    let coefficients = CoefficientFrame { body, in_body: Frame::translation(origin).times(&attitude(database)) };
+    let radiation = radiation(given, &field("radiation"), database)?;
+    let added = || AddedMass::new(&database.added_mass_infinite, radiation.as_ref(), &coefficients);
+    let added_mass = given.added_mass.then(added);
+    let excitation = excitation(given, &field, database, world)?;
+    let hydrostatics = hydrostatics(given, &field("hydrostatics"), database)?;
+    let waves = world.waves.as_ref().filter(|_| excitation.is_some());
+    Ok(Hull {
+        name: name.to_string(),
+        frame: HullFrame { body, origin },
+        wave_pressure: wave_pressure(given, &field("wave_pressure"), &hydrostatics, waves)?,
+        hydrostatics,
+        coordinates: WaveCoordinates {
+            coefficients,
+            carried: carried(model, body),
+            cutoff_rad_s: given.slow_motion_cutoff_rad_s.get(),
+        },
+        radiation,
+        added_mass,
+        plan: Plan::of(&database.hull, origin.0.map(Scalar::value)),
+        watchers: watchers(given, database, origin.0.map(Scalar::value), excitation.is_some()),
+        feels: Vec::new(),
+        quadratic_terms: QuadraticTerms {
+            of_slow_motion: excitation.is_some(),
+            munk_by_table: has_current_table(scenario, given),
+        },
+        wave_data: given.excitation.then(|| Arc::clone(database)),
+        excitation,
+    })
 }
 
 /// Returns the axes of a database's coefficients, relative to those of the upright hull.
@@ -110,9 +163,9 @@ fn floating_body<S: Quantity>(
 /// of mass.
 pub(crate) fn memory_of_slow_motions<S: Quantity>(scenario: &Scenario<S>, body: &str) -> SpatialInertia<S> {
     let hulls = scenario.forces.values().filter_map(hydrodynamics_of);
-    let remembers = |given: &&schema::Hydrodynamics<S>| given.enabled && given.radiation && *given.body == *body;
-    hulls.filter(remembers).fold(SpatialInertia::default(), |sum, given| {
-        let Some(database) = scenario.files.database(&given.database) else { return sum };
+    let recoupled = |given: &&schema::Hydrodynamics<S>| given.enabled && given.radiation && *given.body == *body;
+    hulls.filter(recoupled).fold(SpatialInertia::default(), |sum, given| {
+        let Some(database) = scenario.files.database(&given.database, given.name_in_database()) else { return sum };
         let Some(fitted) = &database.radiation else { return sum };
         let origin = from_centre(scenario, body, Vector3(given.origin_m));
         let axes = Frame::translation(origin).times(&attitude(database));
