@@ -1,7 +1,7 @@
 """A vertical prism around one hull and the water plane inside it, with points to integrate over.
 
-The prism's contour is parallel to the convex outline of the hull in plan. Corners that turn by more than a
-right angle are cut.
+The prism's contour is parallel to the convex outline of the hull in plan. Corners that turn by much more
+than a right angle are cut.
 """
 
 from __future__ import annotations
@@ -23,6 +23,10 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
+STRAIGHT = 1e-4
+"""Distance of a corner from a straight side, as a fraction of the hull's length, below which it is on it."""
+SHARPEST = 1.7
+"""Largest turn of a contour at one corner, rad: a rectangle keeps its corners."""
 MOST_POINTS = 24
 """Largest number of Gauss points on a line; longer lines are divided."""
 TOWARD_HULL = 4
@@ -64,13 +68,17 @@ class Waterline:
     ends_m: Array
     flare: Array
 
-    @property
-    def points(self) -> Points:
-        """Midpoints of the pieces, with horizontal normals away from the hull."""
+    def points(self, each: int = 1) -> tuple[Points, Array]:
+        """Gauss points on each piece, with horizontal normals away from the hull, and the flare there."""
         along = self.ends_m - self.starts_m
         length = np.linalg.norm(along, axis=1)
         normals = np.stack([-along[:, 1], along[:, 0], 0 * length], axis=1) / length[:, None]
-        return Points((self.starts_m + self.ends_m) / 2, normals, length)
+        part, weight = gauss(each, 1.0)
+        at = self.starts_m[:, None] + part[:, None] * along[:, None]
+        found = Points(
+            at.reshape(-1, 3), np.repeat(normals, each, axis=0), np.outer(length, weight).reshape(-1)
+        )
+        return found, np.repeat(self.flare, each)
 
 
 @dataclass(frozen=True)
@@ -111,13 +119,16 @@ def outline(panels: Panels) -> Array:
     from scipy.spatial import ConvexHull
 
     plan = panels.vertices[np.unique(panels.faces)][:, :2]
-    # Corners on a straight side are not kept.
-    grain = 1e-5 * np.ptp(plan, axis=0).max()
-    rounded = np.unique(np.round(plan / grain) * grain, axis=0)
-    corners = rounded[ConvexHull(rounded).vertices]
-    before, after = corners - np.roll(corners, 1, axis=0), np.roll(corners, -1, axis=0) - corners
-    turn = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
-    return corners[turn > 4 * grain * np.linalg.norm(after, axis=1)]
+    size = np.ptp(plan, axis=0).max()
+    corners = plan[ConvexHull(plan).vertices]
+    kept = [corners[0]]
+    for corner, after in zip(corners[1:], np.roll(corners, -2, axis=0)[:-1], strict=True):
+        chord = after - kept[-1]
+        aside = chord[0] * (corner - kept[-1])[1] - chord[1] * (corner - kept[-1])[0]
+        # Corners on a straight side are left out.
+        if abs(aside) > STRAIGHT * size * np.linalg.norm(chord):
+            kept.append(corner)
+    return np.array(kept)
 
 
 def distance(first: Array, second: Array) -> float:
@@ -140,8 +151,8 @@ def parallel(corners: Array, away_m: float) -> Array:
     angles = np.arctan2(along[:, 1], along[:, 0])
     found = []
     for corner, before, after in zip(corners, np.roll(angles, 1), angles, strict=True):
-        turn = (after - before) % (2 * np.pi)
-        pieces = int(np.ceil(turn / (np.pi / 2) - 1e-6))
+        turn = max((after - before + np.pi) % (2 * np.pi) - np.pi, 0.0)
+        pieces = int(np.ceil(turn / SHARPEST))
         for piece in range(pieces):
             # Outward is to the right of the direction along the outline.
             middle = before + (piece + 0.5) * turn / pieces - np.pi / 2
@@ -164,7 +175,9 @@ def control_surface(
         most; for a hull that stands on the sea bed it has no bottom.
     """
     if not away_m > 0:
-        raise HydrodynamicsError("hulls", "hulls whose outlines meet in plan", "hulls with a gap between them")
+        raise HydrodynamicsError(
+            "hulls", "hulls whose outlines meet in plan", "hulls with a gap between them"
+        )
     contour = parallel(outline(panels), away_m)
     keel = float(panels.vertices[:, 2].min())
     clearance = np.inf if depth_m is None else depth_m + keel
@@ -175,7 +188,7 @@ def control_surface(
     return ControlSurface(shell, rim, _water_plane(waterline(panels), contour))
 
 
-def gauss(length_m: float, spacing_m: float, least: int = 2) -> tuple[Array, Array]:
+def gauss(length_m: float, spacing_m: float, least: int = 1) -> tuple[Array, Array]:
     """Gauss-Legendre points and weights on (0, 1), for a line of some length."""
     count = max(least, int(np.ceil(length_m / spacing_m)))
     pieces = -(-count // MOST_POINTS)
@@ -219,7 +232,7 @@ def _bottom(contour: Array, z: float, spacing: float) -> Points:
     for start, end in zip(contour, np.roll(contour, -1, axis=0), strict=True):
         out = float(np.linalg.norm((start + end) / 2 - centre))
         outward = gauss(out, spacing, 3)
-        sideways = gauss(float(np.linalg.norm(end - start)), spacing, 2)
+        sideways = gauss(float(np.linalg.norm(end - start)), spacing)
         pieces.append(_between(np.array([centre, centre]), np.array([start, end]), outward, sideways, z))
     found = _all(pieces)
     return Points(found.at_m, np.tile([0.0, 0.0, -1.0], (len(found.weights), 1)), found.weights)
@@ -250,7 +263,7 @@ def _water_plane(line: Waterline, contour: Array) -> Points | None:
             part = slice(n, n + 2)
             width = np.linalg.norm(outer[part] - inner[part], axis=1).mean()
             out = beyond(min(ROUGH * float(np.linalg.norm(end - begin)) / width, 0.5))
-            pieces.append(_between(inner[part], outer[part], out, gauss(1.0, 1.0, 1), 0.0))
+            pieces.append(_between(inner[part], outer[part], out, gauss(1.0, 1.0), 0.0))
     return _all(pieces)
 
 
