@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..errors import HydrodynamicsError
-from .surface import SAME_POINT, open_edges
+from .surface import SAME_POINT
+from .waterline import Points, Waterline, gauss, waterline
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -27,58 +28,11 @@ STRAIGHT = 1e-4
 """Distance of a corner from a straight side, as a fraction of the hull's length, below which it is on it."""
 SHARPEST = 1.7
 """Largest turn of a contour at one corner, rad: a rectangle keeps its corners."""
-MOST_POINTS = 24
-"""Largest number of Gauss points on a line; longer lines are divided."""
 TOWARD_HULL = 4
 """Points across the water plane between the water line and the prism."""
 ROUGH = 0.35
 """Distance from the hull, in pieces of the water line, within which velocities show the edges of the panels:
 their ripples fade as exp(-2 pi r / piece), by this distance to a tenth."""
-
-
-@dataclass(frozen=True)
-class Points:
-    """Points of a surface or a line, with outward normals and areas or lengths."""
-
-    at_m: Array
-    normals: Array
-    weights: Array
-
-    def joined(self, other: Points) -> Points:
-        """Both as one."""
-        return Points(*(
-            np.concatenate([getattr(self, name), getattr(other, name)])
-            for name in ("at_m", "normals", "weights")
-        ))  # fmt: skip
-
-
-@dataclass(frozen=True)
-class Waterline:
-    """Straight pieces of a hull's water line.
-
-    Attributes
-    ----------
-    starts_m, ends_m
-        Their ends, shape (pieces, 3), with the hull on the right.
-    flare
-        Outward growth of the hull with height, -n_z / |n_h| of the panel below.
-    """
-
-    starts_m: Array
-    ends_m: Array
-    flare: Array
-
-    def points(self, each: int = 1) -> tuple[Points, Array]:
-        """Gauss points on each piece, with horizontal normals away from the hull, and the flare there."""
-        along = self.ends_m - self.starts_m
-        length = np.linalg.norm(along, axis=1)
-        normals = np.stack([-along[:, 1], along[:, 0], 0 * length], axis=1) / length[:, None]
-        part, weight = gauss(each, 1.0)
-        at = self.starts_m[:, None] + part[:, None] * along[:, None]
-        found = Points(
-            at.reshape(-1, 3), np.repeat(normals, each, axis=0), np.outer(length, weight).reshape(-1)
-        )
-        return found, np.repeat(self.flare, each)
 
 
 @dataclass(frozen=True)
@@ -99,19 +53,6 @@ class ControlSurface:
     shell: Points
     rim: Points
     water_plane: Points | None
-
-
-def waterline(panels: Panels) -> Waterline:
-    """The open edges of a wetted hull on the water plane."""
-    surface = panels.surface
-    tolerance = SAME_POINT * np.ptp(surface.vertices, axis=0).max()
-    edges = open_edges(surface)
-    edges = edges[np.abs(surface.vertices[edges][:, :, 2]).max(axis=1) < tolerance]
-    directed = np.concatenate([surface.triangles[:, [i, j]] for i, j in ((0, 1), (1, 2), (2, 0))])
-    owner = {tuple(edge): number % len(surface.triangles) for number, edge in enumerate(directed.tolist())}
-    normals = surface.area_vectors[[owner[tuple(edge)] for edge in edges.tolist()]]
-    starts, ends = np.moveaxis(surface.vertices[edges], 1, 0)
-    return Waterline(starts, ends, -normals[:, 2] / np.hypot(normals[:, 0], normals[:, 1]))
 
 
 def outline(panels: Panels) -> Array:
@@ -186,16 +127,6 @@ def control_surface(
     if clearance > SAME_POINT * away_m:
         shell = shell.joined(_bottom(contour, bottom, spacing_m))
     return ControlSurface(shell, rim, _water_plane(waterline(panels), contour))
-
-
-def gauss(length_m: float, spacing_m: float, least: int = 1) -> tuple[Array, Array]:
-    """Gauss-Legendre points and weights on (0, 1), for a line of some length."""
-    count = max(least, int(np.ceil(length_m / spacing_m)))
-    pieces = -(-count // MOST_POINTS)
-    at, weight = np.polynomial.legendre.leggauss(-(-count // pieces))
-    at, weight = (at + 1) / 2 / pieces, weight / 2 / pieces
-    starts = np.arange(pieces)[:, None] / pieces
-    return (starts + at).reshape(-1), np.tile(weight, pieces)
 
 
 def beyond(start: float) -> tuple[Array, Array]:

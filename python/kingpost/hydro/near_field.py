@@ -22,9 +22,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .airy import wave_number
-from .control_surface import ControlSurface, Points, control_surface, distance, outline, waterline
+from .control_surface import ControlSurface, control_surface, distance, outline
 from .flow import FirstOrder, Flow
 from .submerged import displacement, mean, moment_arms, submerged_moments
+from .waterline import Points, waterline
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

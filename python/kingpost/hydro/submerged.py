@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .control_surface import waterline
 from .surface import particulars
+from .waterline import waterline
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
