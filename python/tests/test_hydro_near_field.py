@@ -262,6 +262,18 @@ def test_the_control_surface_is_closed():
     assert flux == pytest.approx(3 * 23 * 13 * 3.5, rel=1e-4)
 
 
+def test_the_water_plane_around_a_moonpool_is_left_out():
+    panels = whole_hull(BARGE, 150)
+    pool = whole_hull("box:length_m=4,beam_m=3,draught_m=2,depth_m=5", 40)
+    # The pool's sides, with the water inside.
+    sides = pool.faces[pool.vertices[pool.faces][:, :, 2].max(axis=1) > -2 + 1e-6][:, ::-1]
+    faces = np.concatenate([panels.faces, sides + len(panels.vertices)])
+    hull = Panels(np.concatenate([panels.vertices, pool.vertices]), faces)
+    points, _ = waterline(hull).points()
+    assert (points.at_m * points.normals).sum(axis=1) @ points.weights == pytest.approx(2 * (200 - 12))
+    assert control_surface(hull, 1.5, 1.0).water_plane is None
+
+
 def test_outlines_and_their_distance():
     square = np.array([[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]])
     np.testing.assert_allclose(parallel(square, 1.0), square * 2 - 1)

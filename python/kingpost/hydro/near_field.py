@@ -12,7 +12,9 @@ which panels resolve badly. On a held box of 20 x 10 x 2 m at 1.2 rad/s, with th
 indirect equation, it gives surge forces 14 % (320 panels) and 9 % (1564 panels) too large, sway forces 25 %
 and 16 %. On the control surface velocities are smooth: on 200 panels forces are within 1 % of their limit,
 and they follow the far field on the same panels, also where both err. Vertical force and the moments of roll
-and pitch need velocities on the water plane up to the hull, and converge more slowly: 1 %, and 8 % in moment.
+and pitch need velocities on the water plane up to the hull and converge more slowly: from 320 to 1628 panels
+this vertical force changes by 1 % at 1.2 rad/s and by 9 % at 1.8 rad/s, the moments by at most 2 % of it
+times the beam.
 """
 
 from __future__ import annotations
