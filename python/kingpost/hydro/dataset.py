@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..errors import HydrodynamicsError
+from .database import MOTIONS
 from .several import SeveralHulls
 
 if TYPE_CHECKING:
@@ -15,7 +16,6 @@ if TYPE_CHECKING:
 
     from .database import Database
 
-MOTIONS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 FRAME = "hull: x forward, y to port, z up, origin on the water plane"
 LEVEL = "level: x forward, y to port, z up, origin on the water plane, above or below the hull's"
 """Description of the coefficients' frame for an inclined hull; x is along its heading."""

@@ -12,14 +12,16 @@ other hulls, held, scatter.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from ..errors import HydrodynamicsError
-from .database import Database, Radiation, RadiationMode
+from .database import MOTIONS, Database, Radiation, RadiationMode
 
 if TYPE_CHECKING:
-    import numpy as np
     from numpy.typing import NDArray
 
     from .database import DriftLoading, Hull, Provenance, Water
@@ -106,6 +108,27 @@ class SeveralHulls:
         """Names of the hulls, in the order of their motions."""
         return tuple(one.name for one in self.hulls)
 
+    @property
+    def every_hull(self) -> tuple[Hull, ...]:
+        """The hulls, in the order of their motions."""
+        return tuple(one.hull for one in self.hulls)
+
+    @property
+    def motions(self) -> tuple[str, ...]:
+        """Names of all motions, such as "barge surge"."""
+        return tuple(f"{name} {motion}" for name in self.names for motion in MOTIONS)
+
+    @property
+    def excitation(self) -> NDArray[np.complex128]:
+        """Excitation of all motions, (n, m, 6 N); each hull has its own directions and phase."""
+        return np.concatenate([one.excitation for one in self.hulls], axis=2)
+
+    @property
+    def reach_m(self) -> float:
+        """Largest distance from the origin of a hull to the far end of a hull, about it."""
+        outlines = [(one.place, one.hull.length_m, one.hull.beam_m) for one in self.hulls]
+        return reach_m(outlines)
+
     def of(self, name: str) -> Database:
         """One hull's part: its coefficients beside the other hulls, which are held.
 
@@ -148,6 +171,21 @@ class SeveralHulls:
             radiation=None if self.radiation is None else _part(self.radiation, own),
             mean_drift_loading=here.mean_drift_loading,
         )
+
+
+def reach_m(outlines: Sequence[tuple[Place, float, float]]) -> float:
+    """Largest distance from the origin of a hull to the far end of a hull, for places, lengths and beams.
+
+    Loads on a hull, in the phase of a crest at its origin, have about k times this angular orders.
+
+    >>> reach_m([(Place(), 6.0, 8.0), (Place(x_m=30.0), 6.0, 8.0)])
+    35.0
+    """
+    return max(
+        math.hypot(here.x_m - there.x_m, here.y_m - there.y_m) + math.hypot(length, beam) / 2
+        for here, *_ in outlines
+        for there, length, beam in outlines
+    )
 
 
 def _part(radiation: Radiation, own: slice) -> Radiation:
