@@ -100,9 +100,7 @@ def solve_several(
         at(between)
         added.append(between)
     every = sorted(rows)
-    added_mass, damping, forces = (
-        np.array(part) for part in zip(*(rows[w] for w in every), strict=True)
-    )
+    added_mass, damping, forces = (np.array(part) for part in zip(*(rows[w] for w in every), strict=True))
     step = 2 * np.pi * np.arange(directions) / directions
     incident = [[froude_krylov(one.hull, water, w, step) for one in members] for w in every]
     return SeveralCoefficients(
