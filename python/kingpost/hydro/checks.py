@@ -31,13 +31,15 @@ _SMALL = 0.01
 """Smallest scale of a diagonal, as a fraction of the displaced water's: the roll of a sphere is zero."""
 
 
-def check(database: Hulls, remedy: str = REMEDY) -> None:
+def check(database: Hulls, remedy: str = REMEDY, share: float = 1.0) -> None:
     """Refuse a database with unphysical coefficients.
 
     Parameters
     ----------
     remedy
         Advice for the error message.
+    share
+        The limits of asymmetry and of Haskind's relation over those stated here.
 
     Raises
     ------
@@ -45,9 +47,9 @@ def check(database: Hulls, remedy: str = REMEDY) -> None:
         If added mass or damping is not symmetric, the diagonal of the added mass at infinite frequency is not
         positive, damping generates energy, or excitation and damping disagree.
     """
-    check_symmetry(database, remedy)
+    check_symmetry(database, remedy, share)
     check_damping(database, remedy)
-    check_haskind(database, remedy)
+    check_haskind(database, remedy, share)
 
 
 def check_water(water: Water, file: str | None = None) -> None:
@@ -65,7 +67,7 @@ def check_water(water: Water, file: str | None = None) -> None:
             raise HydrodynamicsError(name, f"{value:g}", allowed, file)
 
 
-def check_symmetry(database: Hulls, remedy: str = REMEDY) -> None:
+def check_symmetry(database: Hulls, remedy: str = REMEDY, share: float = 1.0) -> None:
     """A_ij = A_ji and B_ij = B_ji at zero speed; A_ii at infinite frequency is not negative."""
     scale = mass_scale(database)
     diagonal = np.diagonal(database.added_mass_infinite)
@@ -74,15 +76,18 @@ def check_symmetry(database: Hulls, remedy: str = REMEDY) -> None:
         found = f"{diagonal[worst]:.3g} in {database.motions[worst]}"
         raise HydrodynamicsError("added_mass_infinite", found, f"no negative diagonal: {remedy}")
     every = np.concatenate([database.added_mass, database.added_mass_infinite[None]])
-    _check_symmetric("added_mass", every, database, scale, remedy)
+    _check_symmetric("added_mass", every, database, scale, remedy, share * ASYMMETRY)
     damping = database.radiation_damping
-    _check_symmetric("radiation_damping", damping, database, damping_scale(database), remedy)
+    scale = damping_scale(database)
+    _check_symmetric("radiation_damping", damping, database, scale, remedy, share * ASYMMETRY)
 
 
-def _check_symmetric(field: str, matrices: NDArray, database: Hulls, scale: NDArray, remedy: str) -> None:
+def _check_symmetric(
+    field: str, matrices: NDArray, database: Hulls, scale: NDArray, remedy: str, limit: float
+) -> None:
     difference = np.abs(matrices - matrices.transpose(0, 2, 1)) / np.sqrt(np.outer(scale, scale))
     n, i, j = np.unravel_index(np.argmax(difference), difference.shape)
-    if difference[n, i, j] > ASYMMETRY:
+    if difference[n, i, j] > limit:
         at = "infinite frequency"
         if n < len(database.frequencies_rad_s):
             at = f"{database.frequencies_rad_s[n]:g} rad/s"
@@ -90,7 +95,7 @@ def _check_symmetric(field: str, matrices: NDArray, database: Hulls, scale: NDAr
         raise HydrodynamicsError(
             field,
             f"{matrices[n, i, j]:.4g} from {database.motions[j]} to {database.motions[i]} but {back}",
-            f"symmetric matrices, to {ASYMMETRY:g} of the diagonal's largest: {remedy}",
+            f"symmetric matrices, to {limit:g} of the diagonal's largest: {remedy}",
         )
 
 
@@ -110,18 +115,18 @@ def check_damping(database: Hulls, remedy: str = REMEDY) -> None:
         )
 
 
-def check_haskind(database: Hulls, remedy: str = REMEDY) -> None:
+def check_haskind(database: Hulls, remedy: str = REMEDY, share: float = 1.0) -> None:
     """Damping agrees with the radiated waves that follow from the excitation; see `haskind_damping`.
 
     Only frequencies for which the grid of directions resolves the integral are compared.
     """
     found = haskind_difference(database)
-    if found is not None and found.largest > HASKIND:
+    if found is not None and found.largest > share * HASKIND:
         raise HydrodynamicsError(
             "radiation_damping",
             f"a difference of {found.largest:.1%} of its largest from Haskind's relation in {found.motion} "
             f"at {found.frequency_rad_s:g} rad/s",
-            f"at most {HASKIND:.0%}: {remedy}",
+            f"at most {share * HASKIND:.0%}: {remedy}",
         )
 
 

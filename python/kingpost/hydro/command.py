@@ -12,17 +12,18 @@ import numpy as np
 
 from .. import progress
 from ..errors import HydrodynamicsError, flag
-from . import attitude_command, demand, import_command, importers, inclined, resolution
+from . import attitude_command, demand, import_command, importers, inclined, resolution, several_command
 from .build import FREQUENCIES, MOST_PANELS, PANELS, build, choose_lid, default_frequencies
 from .checks import check_water
-from .database import Database, Radiation, Water
-from .database_file import check_output, rounded, write
+from .database import Database, Provenance, Radiation, Water
+from .database_file import One, check_output, rounded, write
 from .drift import Loading
 from .fit_data import FEWEST_FREQUENCIES
 from .hull_files import HullFile
 from .meshes import HullMeshes, parametric
 from .partial import ENDING, Partial
 from .radiation_fit import LIMIT, Misfit, fit, misfits
+from .several import SeveralHulls
 from .shapes import Box, Hemisphere, Shape, Sphere, Wigley
 from .solve import capytaine
 from .summary import summary
@@ -48,10 +49,12 @@ OF_A_HULL = (
 
 def add_options(command: argparse.ArgumentParser) -> None:
     """The command's options."""
-    command.add_argument("hull", metavar="HULL", help=(
+    command.add_argument("hull", metavar="HULL", nargs="+", help=(
         "a mesh file (STL, OBJ, GDF or another format of meshio), another program's database "
         f"({importers.KINDS}), or a parametric hull such as "
-        f"box:length_m=20,beam_m=10,draught_m=2,depth_m=5; of {', '.join(SHAPES)}"))  # fmt: skip
+        f"box:length_m=20,beam_m=10,draught_m=2,depth_m=5; of {', '.join(SHAPES)}; several hulls, each with "
+        "its --at, are solved together"))  # fmt: skip
+    several_command.add_options(command)
     command.add_argument("-o", "--output", metavar="FILE", required=True, help="database, NAME.hydro.json")
     command.add_argument("--title", metavar="TEXT", help="title of the database (default: the hull)")
     command.add_argument("--frequencies-rad-s", metavar="F", help=(
@@ -88,23 +91,31 @@ def add_options(command: argparse.ArgumentParser) -> None:
     import_command.add_options(command)
 
 
-def run(options: argparse.Namespace) -> Database:
+def run(options: argparse.Namespace) -> Database | SeveralHulls:
     """Run with the options, print a summary and return the database."""
+    if len(options.hull) > 1:
+        return several_command.run(options)
+    several_command.refuse(options)
+    return run_one(argparse.Namespace(**{**vars(options), "hull": options.hull[0]}))
+
+
+def run_one(options: argparse.Namespace) -> Database:
+    """Run for one hull."""
     # Quick checks come before the computation, which takes minutes.
     target = check_output(options.output)
-    if not _is_parametric(options.hull) and importers.recognise(options.hull) is not None:
+    if not is_parametric(options.hull) and importers.recognise(options.hull) is not None:
         _refuse_for_a_file(options)
         imported = import_command.run(options)
         warnings = resolution.of_database(imported)
-        _warn(warnings)
-        return _fitted(_warned_of(imported, warnings), options, target, import_command.RESPONSE_SHARE)
+        warn(warnings)
+        return fitted(warned_of(imported, warnings), options, target, import_command.RESPONSE_SHARE)
     import_command.refuse(options)
-    water = _water(options)
+    water = water_of(options)
     given = options.frequencies_rad_s
     frequencies = None if given is None else parse_frequencies(given)
     loading = None if options.loading is None else parse_loading(options.loading)
-    directions = _count("directions", options.directions, (4, 360))
-    hull = _hull(options, _count("panels", options.panels, (50, 4 * MOST_PANELS)) or PANELS)
+    directions = count_of("directions", options.directions, (4, 360))
+    hull = hull_of(options, count_of("panels", options.panels, (50, 4 * MOST_PANELS)) or PANELS)
     capytaine()
     if frequencies is None:
         frequencies = default_frequencies(hull, water)
@@ -113,20 +124,20 @@ def run(options: argparse.Namespace) -> Database:
     print(summary(hull, water))
     print(f"{'wave directions':<20}{directions}")
     warnings = [*hull.remarks, *resolution.warnings(length_m, frequencies, directions, water)]
-    _warn(warnings)
+    warn(warnings)
     every = len(frequencies) + 1
-    partial = _partial(target, every)
+    partial = partial_of(target, every)
     has_lid, _ = choose_lid(hull, options.lid)
-    _warn(_demand(demand.size(hull, has_lid, water, frequencies, directions)))
+    warn(print_demand(demand.size(hull, has_lid, water, frequencies, directions)))
     with progress.bar(every, "frequencies") as update:
         title = options.title or hull.source
         database = build(hull, water, title, frequencies, directions, options.lid, loading, update, partial)
-    database = _fitted(_warned_of(database, warnings), options, target)
+    database = fitted(warned_of(database, warnings), options, target)
     partial.done()
     return database
 
 
-def _partial(target: Path, every: int) -> Partial:
+def partial_of(target: Path, every: int) -> Partial:
     """Continue a stopped run and print a line about it."""
     left = f"of {every} frequencies are solved by the stopped run"
     return Partial(
@@ -134,7 +145,7 @@ def _partial(target: Path, every: int) -> Partial:
     )
 
 
-def _demand(run: demand.Size) -> list[str]:
+def print_demand(run: demand.Size) -> list[str]:
     """Print the size of the computation before it starts; warn if the machine has too little memory."""
     threads = os.environ.get("OMP_NUM_THREADS") or os.cpu_count()
     lid = f", {run.lid_panels} of them a lid," if run.lid_panels else ""
@@ -147,9 +158,8 @@ def _demand(run: demand.Size) -> list[str]:
     return []
 
 
-def _fitted(
-    database: Database, options: argparse.Namespace, target: Path, response_share: float = 1.0
-) -> Database:
+def fitted(database: One, options: argparse.Namespace, target: Path, response_share: float = 1.0) -> One:
+    """Fit the memory, print its errors and write the database."""
     database = rounded(database)
     with progress.bar(1.0, "memory") as update:
         radiation = fit(
@@ -172,19 +182,19 @@ def _fitted(
             f"{'  ' + one.motion:<20}{one.memory:.2%} of K, {one.added_mass:.2%} of A, {one.damping:.2%} of B"
         )
     missed = [_missed(one) for one in found if one.memory > LIMIT]
-    _warn(missed)
-    database = replace(_warned_of(database, missed), radiation=radiation)
+    warn(missed)
+    database = replace(warned_of(database, missed), radiation=radiation)
     print(f"{'written':<20}{write(database, target)}")
     return database
 
 
-def _warned_of(database: Database, warnings: list[str]) -> Database:
+def warned_of(database: One, warnings: list[str]) -> One:
     """Return the database with additional warnings, which are repeated at every use of it."""
-    about = database.provenance
+    about: Provenance = database.provenance
     return replace(database, provenance=replace(about, warnings=(*about.warnings, *warnings)))
 
 
-def _cut(database: Database, found: list[Misfit]) -> str:
+def _cut(database: Database | SeveralHulls, found: list[Misfit]) -> str:
     """Advice on the highest frequency up to which the memory can be fitted, if there is one."""
     omega = database.frequencies_rad_s
     cut = max(found, key=lambda one: one.memory).frequency_rad_s
@@ -215,7 +225,8 @@ def _missed(one: Misfit) -> str:
     )
 
 
-def _warn(warnings: list[str]) -> None:
+def warn(warnings: list[str]) -> None:
+    """Print warnings."""
     for warning in warnings:
         print(f"warning: {warning}")
 
@@ -225,7 +236,8 @@ def _states(radiation: Radiation) -> int:
     return sum(int(np.where(mode.poles_rad_s.imag > 0, 2, 1).sum()) for mode in radiation.modes)
 
 
-def _water(options: argparse.Namespace) -> Water:
+def water_of(options: argparse.Namespace) -> Water:
+    """The water of the options."""
     for name in ("density_kg_m3", "water_depth_m"):
         value = getattr(options, name)
         if value is not None and not (math.isfinite(value) and value > 0):
@@ -236,7 +248,8 @@ def _water(options: argparse.Namespace) -> Water:
     return water
 
 
-def _count(name: str, given: int | None, limits: tuple[int, int]) -> int | None:
+def count_of(name: str, given: int | None, limits: tuple[int, int]) -> int | None:
+    """Check a count within limits."""
     if given is not None and not limits[0] <= given <= limits[1]:
         raise HydrodynamicsError(flag(name), str(given), f"a whole number from {limits[0]} to {limits[1]}")
     return given
@@ -275,19 +288,20 @@ def parse_frequencies(text: str) -> np.ndarray:
     return found
 
 
-def _is_parametric(hull: str) -> bool:
+def is_parametric(hull: str) -> bool:
     """Whether a hull is given as a parametric description, whose last number may look like a file's
     ending."""
     return (hull.partition(":")[0] in SHAPES or "=" in hull) and not os.path.isfile(hull)
 
 
-def _hull(options: argparse.Namespace, panels: int) -> HullMeshes:
+def hull_of(options: argparse.Namespace, panels: int) -> HullMeshes:
+    """The hull of the options: a mesh file or a parametric hull."""
     if os.path.isfile(options.hull):
         file = HullFile(Path(options.hull), options.draught_m, bool(options.flip_normals))
         upright = file.meshes(panels)
         asked = attitude_command.parse(options, upright.particulars)
         return upright if asked is None else inclined.of_file(file, upright, panels, asked)
-    if not _is_parametric(options.hull):
+    if not is_parametric(options.hull):
         kinds = ", ".join(SHAPES)
         allowed = f"a mesh file, or a parametric hull: {kinds}"
         raise HydrodynamicsError("hull", "no such file", allowed, options.hull)

@@ -46,6 +46,12 @@ def check_apart(members: Sequence[Member]) -> None:
         )
 
 
+def gaps_m(members: Sequence[Member]) -> dict[tuple[int, int], float]:
+    """Least distance of each pair of wetted hulls, m."""
+    hulls = placed_triangles(members)
+    return {(i, j): distance(hulls[i], hulls[j]) for i, j in combinations(range(len(members)), 2)}
+
+
 def placed_triangles(members: Sequence[Member]) -> list[Triangles]:
     """Triangles (triangle, corner, 3) of each wetted hull, in the axes of the first."""
     origins, headings = relative_places([one.place for one in members])

@@ -11,6 +11,7 @@ which the water between them resonates. Frequencies are added where they do.
 from __future__ import annotations
 
 import logging
+import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -35,6 +36,8 @@ NARROWEST = 0.004
 """Smallest spacing of frequencies over their mean: a resonance damped by less than half of it is noise."""
 MOST_ADDED = 60
 """The most frequencies that are added."""
+TRIAL_PANELS, TRIAL_UNKNOWNS = 300, 500
+"""Sizes of the trials for the estimate of the time: tenths of a second."""
 SAME_ANGLE = 1e-9
 """Directions nearer than this are one, rad: rounding."""
 
@@ -81,7 +84,7 @@ def solve_several(
     """
     module = capytaine()
     problem = ClusterFlow(module, cluster, water)
-    angles, index = _angles(cluster.headings_rad, directions)
+    angles, index = solved_directions(cluster.headings_rad, directions)
     partial = partial or Partial(None)
     partial.open(_settings(problem, cluster, directions))
     infinite = _kept(partial, "infinite", lambda: (problem.infinite(),))[0] * cluster.couplings
@@ -134,7 +137,7 @@ def _settings(problem: ClusterFlow, cluster: Cluster, directions: int) -> str:
     ])  # fmt: skip
 
 
-def _angles(
+def solved_directions(
     headings_rad: NDArray[np.float64], directions: int
 ) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
     """Directions in the axes of the cluster, and the index of each hull's own among them, (hull,
@@ -199,6 +202,32 @@ class ClusterFlow(Flow):
         by_hull = np.array(np.split(diffraction, len(index), axis=1)) * phase[..., None]
         own = np.array([forces[at] for forces, at in zip(by_hull, index, strict=True)])
         return radiation.real / frequency**2, radiation.imag / frequency, own
+
+    def seconds(self, frequency: float, directions: int) -> float:
+        """Estimate the seconds of one frequency by a small trial on this machine."""
+        from scipy.linalg import lu_factor
+
+        part = self.cluster.panels
+        trial = self.module.Mesh(
+            part.vertices, part.corner_lists[:TRIAL_PANELS], auto_clean=False, auto_check=False
+        )
+        problem = self.diffraction(0.0, frequency)
+        settings = {"free_surface": 0.0, "water_depth": problem.water_depth, "wavenumber": problem.wavenumber,
+                    "adjoint_double_layer": False, "diagonal_term_in_double_layer": True}  # fmt: skip
+        taken = []
+        for _ in range(2):  # the first time also loads libraries
+            start = time.perf_counter()
+            self.engine.green_function.evaluate(trial, trial, early_dot_product=True, **settings)
+            taken.append(time.perf_counter() - start)
+        by_pair = taken[-1] / trial.nb_faces**2
+        matrix = np.random.default_rng(0).standard_normal((TRIAL_UNKNOWNS,) * 2) + 1j * np.eye(TRIAL_UNKNOWNS)
+        start = time.perf_counter()
+        lu_factor(matrix, overwrite_a=True, check_finite=False)
+        by_product = (time.perf_counter() - start) / (TRIAL_UNKNOWNS**3 / 3)
+        images = 2 ** len(self.cluster.reflections)
+        n = self.body.mesh_including_lid.nb_faces // images
+        products = n**3 / 3 + 2 * n**2 * (len(self.motions) + directions)
+        return images * (by_pair * n**2 + by_product * products)
 
     def _forces(self, problems: Sequence[Any]) -> NDArray[np.complex128]:
         """Forces of the pressure for each problem, (problem, motion): one solution for all right-hand

@@ -1,0 +1,195 @@
+"""`kingpost hydro HULL HULL ... --at X_M,Y_M,HEADING_DEG ... -o FILE`: the database of several hulls."""
+
+from __future__ import annotations
+
+import argparse
+import math
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from .. import progress
+from ..errors import HydrodynamicsError, flag
+from . import attitude_command, demand, import_command, importers, resolution
+from .several import Place, SeveralHulls
+from .several_mesh import Cluster, Member
+from .summary import summary
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from .database import Water
+
+OF_SEVERAL = ("at", "name")
+OF_ONE = ("loading", *attitude_command.OPTIONS)
+"""Options that several hulls do not have."""
+RESPONSE_SHARE = 2.5
+"""Error of the responses of free hulls that the fit of the memory aims for, over its limit: 5 % at a
+resonance with other damping of 5 % of the critical. Twelve motions with common poles need a minute for it."""
+FARTHEST_M = 1e5
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """Options of several hulls."""
+    command.add_argument("--at", metavar="X_M,Y_M,HEADING_DEG", action="append", help=(
+        "place of a hull that is solved together with others, once for each, in their order: its origin, and "
+        "its heading counter-clockwise from x; write --at=-5,0,0 for a place that begins with a minus"
+    ))  # fmt: skip
+    command.add_argument("--name", metavar="NAME", action="append", help=(
+        "name of a hull that is solved together with others, once for each (default: its file or shape)"
+    ))  # fmt: skip
+
+
+def refuse(options: argparse.Namespace) -> None:
+    """Refuse options of several hulls for one."""
+    for name in OF_SEVERAL:
+        if getattr(options, name, None):
+            raise HydrodynamicsError(flag(name), "one hull", "several hulls, one --at for each")
+
+
+def run(options: argparse.Namespace) -> SeveralHulls:
+    """Run with the options, print a summary and return the database."""
+    from . import command
+    from .build import MOST_PANELS, PANELS
+    from .database_file import check_output
+    from .several_build import build_several, check_members, gap_warnings, several_directions
+    from .solve import capytaine
+
+    target = check_output(options.output)
+    for name in OF_ONE:
+        if getattr(options, name) is not None:
+            raise HydrodynamicsError(flag(name), "several hulls", "one hull")
+    import_command.refuse(options)
+    water = command.water_of(options)
+    given = options.frequencies_rad_s
+    frequencies = None if given is None else command.parse_frequencies(given)
+    directions = command.count_of("directions", options.directions, (4, 360))
+    panels = command.count_of("panels", options.panels, (50, 4 * MOST_PANELS)) or PANELS
+    members = _members(options, panels)
+    capytaine()
+    check_members(members, water)
+    highest = _highest(members, water, frequencies)
+    directions = directions or several_directions(members, highest, water)
+    for one in members:
+        print(f"{one.name}\n{'place':<20}{one.place.described}\n{summary(one.hull, water)}\n")
+    print(f"{'wave directions':<20}{directions}")
+    warnings = [f"{one.name}: {remark}" for one in members for remark in one.hull.remarks]
+    warnings += [*gap_warnings(members, highest, water), *_unresolved(members, highest, directions, water)]
+    command.warn(warnings)
+    every = _announce(options, members, water, frequencies, directions)
+    partial = command.partial_of(target, every)
+    title = options.title or " and ".join(one.name for one in members)
+    with progress.bar(every, "frequencies") as update:
+        database = build_several(members, water, title, frequencies, directions, options.lid, update, partial)
+    for note in database.provenance.notes:
+        if "added from" in note:
+            print(f"{'frequencies':<20}{len(database.frequencies_rad_s)}: {note}")
+    database = command.fitted(command.warned_of(database, warnings), options, target, RESPONSE_SHARE)
+    partial.done()
+    return database
+
+
+def _members(options: argparse.Namespace, panels: int) -> list[Member]:
+    places, names = _places(options), _names(options)
+    found = []
+    for name, place, text in zip(names, places, options.hull, strict=True):
+        found.append(Member(name, place, _hull(options, text, panels)))
+    return found
+
+
+def _hull(options: argparse.Namespace, text: str, panels: int):
+    from . import command
+
+    parametric = command.is_parametric(text)
+    if not parametric and importers.recognise(text) is not None:
+        found, allowed = "another program's results", "a hull that is computed: its mesh or a parametric hull"
+        raise HydrodynamicsError("hull", found, allowed, text)
+    # A draught is that of the mesh files among the hulls.
+    draught = None if parametric else options.draught_m
+    return command.hull_of(
+        argparse.Namespace(**{**vars(options), "hull": text, "draught_m": draught}), panels
+    )
+
+
+def _places(options: argparse.Namespace) -> list[Place]:
+    given = options.at or []
+    if len(given) != len(options.hull):
+        allowed = f"{len(options.hull)}, one for each hull: X_M,Y_M,HEADING_DEG"
+        raise HydrodynamicsError("--at", f"{len(given)} places", allowed)
+    return [parse_place(text) for text in given]
+
+
+def parse_place(text: str) -> Place:
+    """A place from its description.
+
+    >>> parse_place("10,-3,180")
+    Place(x_m=10.0, y_m=-3.0, heading_rad=3.141592653589793)
+    """
+    allowed = f"X_M,Y_M,HEADING_DEG such as 0,13,180, within {FARTHEST_M:g} m and 360 degrees"
+    try:
+        x, y, heading = (float(part) for part in text.split(","))
+    except ValueError:
+        raise HydrodynamicsError("--at", repr(text), allowed) from None
+    if not (abs(x) <= FARTHEST_M and abs(y) <= FARTHEST_M and abs(heading) <= 360):
+        raise HydrodynamicsError("--at", repr(text), allowed)
+    return Place(x, y, math.radians(heading))
+
+
+def _names(options: argparse.Namespace) -> list[str]:
+    """The names given, or those of the files or shapes, made unique."""
+    if options.name:
+        if len(options.name) != len(options.hull):
+            allowed = f"{len(options.hull)}, one for each hull"
+            raise HydrodynamicsError("--name", f"{len(options.name)} names", allowed)
+        return options.name
+    found: list[str] = []
+    for text in options.hull:
+        stem = Path(text).stem if os.path.isfile(text) else text.partition(":")[0]
+        number = 1 + sum(one == stem or one.startswith(f"{stem} ") for one in found)
+        found.append(stem if number == 1 else f"{stem} {number}")
+    return found
+
+
+def _highest(members: list[Member], water: Water, frequencies: NDArray[np.float64] | None) -> float:
+    from .several_build import several_frequencies
+
+    return float((several_frequencies(members, water) if frequencies is None else frequencies)[-1])
+
+
+def _unresolved(members: list[Member], highest: float, directions: int, water: Water) -> list[str]:
+    import numpy as np
+
+    from .several_build import extent_m
+
+    return resolution.warnings(extent_m(members), np.array([highest]), directions, water)
+
+
+def _announce(
+    options: argparse.Namespace, members: list[Member], water: Water, frequencies: NDArray[np.float64] | None,
+    directions: int,
+) -> int:  # fmt: skip
+    """Print memory and minutes; return the number of frequencies, the infinite one among them."""
+    from . import command
+    from .build import choose_lid
+    from .several_build import check_count, several_frequencies
+    from .several_solve import MOST_ADDED, ClusterFlow, solved_directions
+    from .solve import capytaine
+
+    cluster = Cluster.of(members, [choose_lid(one.hull, options.lid)[0] for one in members])
+    check_count(cluster)
+    refine = frequencies is None
+    if frequencies is None:
+        frequencies = several_frequencies(members, water)
+    angles, _ = solved_directions(cluster.headings_rad, directions)
+    covers = 0 if cluster.cover is None else len(cluster.cover.faces)
+    run = demand.Size(
+        panels=len(cluster.panels.faces) + covers, lid_panels=covers, reflections=len(cluster.reflections),
+        directions=len(angles), frequencies=len(frequencies), rings=0, motions=6 * len(members),
+    )  # fmt: skip
+    command.warn(command.print_demand(run))
+    flow = ClusterFlow(capytaine(), cluster, water)
+    minutes = flow.seconds(float(frequencies[len(frequencies) // 2]), len(angles)) / 60
+    more = f", and up to {MOST_ADDED} that may be added" if refine else ""
+    print(f"{'time':<20}about {minutes * len(frequencies):.2g} min for {len(frequencies)} frequencies{more}")
+    return len(frequencies) + 1
