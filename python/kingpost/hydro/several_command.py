@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from .. import progress
 from ..errors import HydrodynamicsError, flag
 from . import attitude_command, demand, import_command, importers, resolution
+from .partial import ENDING, Partial
 from .several import Place, SeveralHulls
 from .several_mesh import Cluster, Member
 from .summary import summary
@@ -78,7 +79,10 @@ def run(options: argparse.Namespace) -> SeveralHulls:
     warnings += [*gap_warnings(members, highest, water), *_unresolved(members, highest, directions, water)]
     command.warn(warnings)
     every = _announce(options, members, water, frequencies, directions)
-    partial = command.partial_of(target, every)
+    solved = "frequencies, infinity among them, are solved by the stopped run"
+    partial = Partial(
+        target.with_name(target.name + ENDING), lambda done: print(f"{'goes on':<20}{done} {solved}")
+    )
     title = options.title or " and ".join(one.name for one in members)
     with progress.bar(every, "frequencies") as update:
         database = build_several(members, water, title, frequencies, directions, options.lid, update, partial)
