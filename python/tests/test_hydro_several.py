@@ -10,8 +10,8 @@ import pytest
 from kingpost import cli, hydro
 from kingpost.errors import HydrodynamicsError
 from kingpost.hydro import checks, overlap, radiation_fit, several_build, several_solve, solve
-from kingpost.hydro.command import parse_shape
 from kingpost.hydro.database import Water
+from kingpost.hydro.hull_options import parse_shape
 from kingpost.hydro.meshes import HullMeshes, parametric
 from kingpost.hydro.panels import completed, lid
 from kingpost.hydro.partial import Partial

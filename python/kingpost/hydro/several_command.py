@@ -8,19 +8,36 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from .. import progress
 from ..errors import HydrodynamicsError, flag
 from . import attitude_command, demand, import_command, importers, resolution
+from .build import MOST_PANELS, PANELS, choose_lid
+from .command_output import fitted, print_demand, warn, warned_of
+from .database_file import check_output
+from .hull_options import count_of, hull_of, is_parametric, parse_frequencies, water_of
 from .partial import ENDING, Partial
 from .several import Place, SeveralHulls
+from .several_build import (
+    build_several,
+    check_count,
+    check_members,
+    extent_m,
+    gap_warnings,
+    several_directions,
+    several_frequencies,
+)
 from .several_mesh import Cluster, Member
+from .several_solve import MOST_ADDED, ClusterFlow, solved_directions
+from .solve import capytaine
 from .summary import summary
 
 if TYPE_CHECKING:
-    import numpy as np
     from numpy.typing import NDArray
 
     from .database import Water
+    from .meshes import HullMeshes
 
 OF_SEVERAL = ("at", "name")
 OF_ONE = ("loading", *attitude_command.OPTIONS)
@@ -51,22 +68,16 @@ def refuse(options: argparse.Namespace) -> None:
 
 def run(options: argparse.Namespace) -> SeveralHulls:
     """Run with the options, print a summary and return the database."""
-    from . import command
-    from .build import MOST_PANELS, PANELS
-    from .database_file import check_output
-    from .several_build import build_several, check_members, gap_warnings, several_directions
-    from .solve import capytaine
-
     target = check_output(options.output)
     for name in OF_ONE:
         if getattr(options, name) is not None:
             raise HydrodynamicsError(flag(name), "several hulls", "one hull")
     import_command.refuse(options)
-    water = command.water_of(options)
+    water = water_of(options)
     given = options.frequencies_rad_s
-    frequencies = None if given is None else command.parse_frequencies(given)
-    directions = command.count_of("directions", options.directions, (4, 360))
-    panels = command.count_of("panels", options.panels, (50, 4 * MOST_PANELS)) or PANELS
+    frequencies = None if given is None else parse_frequencies(given)
+    directions = count_of("directions", options.directions, (4, 360))
+    panels = count_of("panels", options.panels, (50, 4 * MOST_PANELS)) or PANELS
     members = _members(options, panels)
     capytaine()
     check_members(members, water)
@@ -77,7 +88,7 @@ def run(options: argparse.Namespace) -> SeveralHulls:
     print(f"{'wave directions':<20}{directions}")
     warnings = [f"{one.name}: {remark}" for one in members for remark in one.hull.remarks]
     warnings += [*gap_warnings(members, highest, water), *_unresolved(members, highest, directions, water)]
-    command.warn(warnings)
+    warn(warnings)
     every = _announce(options, members, water, frequencies, directions)
     solved = "frequencies, infinity among them, are solved by the stopped run"
     partial = Partial(
@@ -89,7 +100,7 @@ def run(options: argparse.Namespace) -> SeveralHulls:
     for note in database.provenance.notes:
         if "added from" in note:
             print(f"{'frequencies':<20}{len(database.frequencies_rad_s)}: {note}")
-    database = command.fitted(command.warned_of(database, warnings), options, target, RESPONSE_SHARE)
+    database = fitted(warned_of(database, warnings), options, target, RESPONSE_SHARE)
     partial.done()
     return database
 
@@ -102,18 +113,14 @@ def _members(options: argparse.Namespace, panels: int) -> list[Member]:
     return found
 
 
-def _hull(options: argparse.Namespace, text: str, panels: int):
-    from . import command
-
-    parametric = command.is_parametric(text)
-    if not parametric and importers.recognise(text) is not None:
+def _hull(options: argparse.Namespace, text: str, panels: int) -> HullMeshes:
+    shape = is_parametric(text)
+    if not shape and importers.recognise(text) is not None:
         found, allowed = "another program's results", "a hull that is computed: its mesh or a parametric hull"
         raise HydrodynamicsError("hull", found, allowed, text)
     # A draught is that of the mesh files among the hulls.
-    draught = None if parametric else options.draught_m
-    return command.hull_of(
-        argparse.Namespace(**{**vars(options), "hull": text, "draught_m": draught}), panels
-    )
+    draught = None if shape else options.draught_m
+    return hull_of(argparse.Namespace(**{**vars(options), "hull": text, "draught_m": draught}), panels)
 
 
 def _places(options: argparse.Namespace) -> list[Place]:
@@ -156,16 +163,10 @@ def _names(options: argparse.Namespace) -> list[str]:
 
 
 def _highest(members: list[Member], water: Water, frequencies: NDArray[np.float64] | None) -> float:
-    from .several_build import several_frequencies
-
     return float((several_frequencies(members, water) if frequencies is None else frequencies)[-1])
 
 
 def _unresolved(members: list[Member], highest: float, directions: int, water: Water) -> list[str]:
-    import numpy as np
-
-    from .several_build import extent_m
-
     return resolution.warnings(extent_m(members), np.array([highest]), directions, water)
 
 
@@ -174,12 +175,6 @@ def _announce(
     directions: int,
 ) -> int:  # fmt: skip
     """Print memory and minutes; return the number of frequencies, the infinite one among them."""
-    from . import command
-    from .build import choose_lid
-    from .several_build import check_count, several_frequencies
-    from .several_solve import MOST_ADDED, ClusterFlow, solved_directions
-    from .solve import capytaine
-
     cluster = Cluster.of(members, [choose_lid(one.hull, options.lid)[0] for one in members])
     check_count(cluster)
     refine = frequencies is None
@@ -191,7 +186,7 @@ def _announce(
         panels=len(cluster.panels.faces) + covers, lid_panels=covers, reflections=len(cluster.reflections),
         directions=len(angles), frequencies=len(frequencies), rings=0, motions=6 * len(members),
     )  # fmt: skip
-    command.warn(command.print_demand(run))
+    warn(print_demand(run))
     flow = ClusterFlow(capytaine(), cluster, water)
     minutes = flow.seconds(float(frequencies[len(frequencies) // 2]), len(angles)) / 60
     more = f", and up to {MOST_ADDED} that may be added" if refine else ""
