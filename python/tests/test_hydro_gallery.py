@@ -37,6 +37,8 @@ def commands() -> dict[str, Namespace]:
     parser = ArgumentParser()
     command.add_options(parser)
     found = [parser.parse_args(words[1:]) for words in written() if words[0] == "hydro"]
+    for options in found:
+        (options.hull,) = options.hull
     return {options.output: options for options in found}
 
 
@@ -49,8 +51,7 @@ def water(options: Namespace) -> Water:
 
 
 def hull(options: Namespace) -> HullMeshes:
-    (text,) = options.hull
-    return parametric(parse_shape(text), text, options.panels or command.PANELS)
+    return parametric(parse_shape(options.hull), options.hull, options.panels or command.PANELS)
 
 
 def test_every_database_of_the_gallery_has_its_command():

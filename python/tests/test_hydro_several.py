@@ -16,7 +16,7 @@ from kingpost.hydro.meshes import HullMeshes, parametric
 from kingpost.hydro.panels import completed, lid
 from kingpost.hydro.partial import Partial
 from kingpost.hydro.several import Place, SeveralHulls
-from kingpost.hydro.several_command import parse_place
+from kingpost.hydro.several_command import RESPONSE_SHARE, parse_place
 from kingpost.hydro.several_mesh import Cluster, Member, rotation
 from test_hydro_several_file import sample
 
@@ -229,6 +229,23 @@ def test_the_memory_of_two_hulls_is_recovered_and_passive_together() -> None:
     scaled = response / np.sqrt(np.outer(peak, peak))
     assert np.abs(scaled[0]).max() < 1e-12
     assert np.linalg.eigvalsh(scaled.real).min() > -1e-12
+
+
+@pytest.mark.thorough
+def test_the_database_of_a_gap_has_its_resonance_and_a_passive_memory() -> None:
+    found = several_build.build_several(members(BESIDE, 200), Water(), "two boxes")
+    assert any("frequencies added" in note for note in found.provenance.notes)
+    omega, heave = found.frequencies_rad_s, found.radiation_damping[:, 2, 2]
+    # The piston of the gap: a column of water of the draught and its added mass, w^2 = g / (T + a) with a
+    # of about half the gap.
+    assert omega[heave.argmax()] == pytest.approx((9.80665 / (2.0 + 1.5)) ** 0.5, rel=0.1)
+    radiation = radiation_fit.fit(found, response_share=RESPONSE_SHARE)
+    assert radiation.fit_error <= radiation_fit.LIMIT
+    everywhere = np.concatenate([np.linspace(0.0, 10.0, 4001), np.geomspace(10.0, 1e3, 500)])
+    response = radiation_fit.evaluate(radiation, everywhere)
+    peak = np.abs(np.einsum("nii->ni", response)).max(axis=0)
+    scaled = response.real / np.sqrt(np.outer(peak, peak))
+    assert np.linalg.eigvalsh(scaled).min() > -1e-12
 
 
 OVERLAPPING = {

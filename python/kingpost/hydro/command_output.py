@@ -1,4 +1,4 @@
-"""What `kingpost hydro` prints of a run, and the fit of the memory that ends it."""
+"""Printed lines of `kingpost hydro`, and the fit of the memory that ends a run."""
 
 from __future__ import annotations
 

@@ -91,7 +91,7 @@ def distance(one: Triangles, other: Triangles, at_most: float = np.inf) -> float
 
 
 def _near(some: Triangles, others: Triangles, margin: float) -> NDArray[np.bool_]:
-    """Which have a box that meets the box of all others, widened by a margin."""
+    """Find those whose box meets the box of all others, widened by a margin."""
     low, high = others.min(axis=(0, 1)) - margin, others.max(axis=(0, 1)) + margin
     return ((some.max(axis=1) >= low) & (some.min(axis=1) <= high)).all(axis=1)
 
