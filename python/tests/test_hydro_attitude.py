@@ -15,12 +15,13 @@ from kingpost import cli
 from kingpost.errors import HydrodynamicsError
 from kingpost.hydro import attitude_command, build, database_file, inclined, solve, to_dataset
 from kingpost.hydro.attitude import Inclination, from_degrees, placed, rotation
-from kingpost.hydro.command import parse_shape, summary
 from kingpost.hydro.database import Attitude, Water
 from kingpost.hydro.drift import Loading
 from kingpost.hydro.hull_files import HullFile
+from kingpost.hydro.hull_options import parse_shape
 from kingpost.hydro.meshes import HullMeshes, parametric, whole
 from kingpost.hydro.partial import Partial
+from kingpost.hydro.summary import summary
 from kingpost.hydro.surface import Surface, particulars
 from kingpost.hydro.symmetry import SIGNS
 

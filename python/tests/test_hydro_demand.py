@@ -12,8 +12,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from kingpost.hydro import demand
-from kingpost.hydro.command import parse_shape
 from kingpost.hydro.database import Water
+from kingpost.hydro.hull_options import parse_shape
 from kingpost.hydro.meshes import parametric
 from kingpost.hydro.panels import lid
 

@@ -7,9 +7,9 @@ import pytest
 from kingpost.errors import HydrodynamicsError
 from kingpost.hydro import build, drift, solve
 from kingpost.hydro.airy import group_ratio, wave_number
-from kingpost.hydro.command import parse_loading, parse_shape
 from kingpost.hydro.database import Database, Hull, Water
 from kingpost.hydro.drift import Loading
+from kingpost.hydro.hull_options import parse_loading, parse_shape
 from kingpost.hydro.importers.convert import about_origin
 from kingpost.hydro.meshes import HullMeshes, parametric
 from kingpost.hydro.panels import lid

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from kingpost.errors import HydrodynamicsError
 from kingpost.hydro import finite_depth, solve
-from kingpost.hydro.command import parse_shape
 from kingpost.hydro.database import Water
+from kingpost.hydro.hull_options import parse_shape
 from kingpost.hydro.meshes import parametric
 
 capytaine = pytest.importorskip("capytaine")

@@ -15,6 +15,7 @@ from kingpost.hydro import checks, command, radiation_fit, read
 from kingpost.hydro.airy import wave_number
 from kingpost.hydro.build import database_hull, default_frequencies
 from kingpost.hydro.database import Water
+from kingpost.hydro.hull_options import parse_shape
 from kingpost.hydro.meshes import HullMeshes, parametric
 from lanes import sampled
 
@@ -36,6 +37,8 @@ def commands() -> dict[str, Namespace]:
     parser = ArgumentParser()
     command.add_options(parser)
     found = [parser.parse_args(words[1:]) for words in written() if words[0] == "hydro"]
+    for options in found:
+        (options.hull,) = options.hull
     return {options.output: options for options in found}
 
 
@@ -48,7 +51,7 @@ def water(options: Namespace) -> Water:
 
 
 def hull(options: Namespace) -> HullMeshes:
-    return parametric(command.parse_shape(options.hull), options.hull, options.panels or command.PANELS)
+    return parametric(parse_shape(options.hull), options.hull, options.panels or command.PANELS)
 
 
 def test_every_database_of_the_gallery_has_its_command():

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from kingpost.errors import HydrodynamicsError
 from kingpost.hydro import solve as solving
-from kingpost.hydro.command import parse_shape
 from kingpost.hydro.database import Water
+from kingpost.hydro.hull_options import parse_shape
 from kingpost.hydro.influence import Engine, Influence, transform
 from kingpost.hydro.meshes import parametric, whole
 from kingpost.hydro.panels import of_triangles

@@ -7,13 +7,14 @@ import pytest
 from kingpost import cli
 from kingpost.errors import HydrodynamicsError
 from kingpost.hydro import hull_files, surface
-from kingpost.hydro.command import parse_frequencies, parse_shape, summary
 from kingpost.hydro.database import Water
 from kingpost.hydro.hull_files import HullFile
+from kingpost.hydro.hull_options import parse_frequencies, parse_shape
 from kingpost.hydro.meshes import HULL_TRIANGLES, parametric, whole
 from kingpost.hydro.panels import lid
 from kingpost.hydro.shapes import Box, Hemisphere, Sphere, Wigley
 from kingpost.hydro.stitching import stitched
+from kingpost.hydro.summary import summary
 from kingpost.hydro.surface import Surface
 from kingpost.hydro.vessel import OffshoreVessel
 

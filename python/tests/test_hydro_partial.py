@@ -8,8 +8,8 @@ import weakref
 import numpy as np
 import pytest
 from kingpost.hydro import solve as solving
-from kingpost.hydro.command import parse_shape
 from kingpost.hydro.database import Water
+from kingpost.hydro.hull_options import parse_shape
 from kingpost.hydro.influence import Engine
 from kingpost.hydro.meshes import parametric
 from kingpost.hydro.partial import Partial, digest

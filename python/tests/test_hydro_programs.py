@@ -12,7 +12,7 @@ import hydro_writers as writers
 import numpy as np
 import pytest
 from kingpost.errors import HydrodynamicsError
-from kingpost.hydro import command, importers, radiation_fit
+from kingpost.hydro import command_output, importers, radiation_fit
 from kingpost.hydro.importers import Options, repair, wamit_rows
 from kingpost.hydro.importers.long_waves import check_long_waves
 from kingpost.hydro.infinite_mass import joint_added_mass_infinite
@@ -247,13 +247,13 @@ def test_a_fit_error_above_a_quarter_is_refused_and_the_proposed_cut_is_accepted
     with pytest.raises(
         HydrodynamicsError, match=r"fitted to \d+% of its peak, allowed: at most 25%"
     ) as refused:
-        command._fitted(spoiled, options, target)
+        command_output.fitted(spoiled, options, target)
     assert not target.exists()
     cut = re.search(r"with --highest-rad-s ([\d.]+) it is ([\d.]+)%", str(refused.value))
     assert cut is not None
     options.highest_rad_s = float(cut[1])
     assert options.highest_rad_s < base.frequencies_rad_s[high].min()
-    fitted = command._fitted(spoiled, options, target)
+    fitted = command_output.fitted(spoiled, options, target)
     assert fitted.radiation is not None
     assert 100 * fitted.radiation.fit_error == pytest.approx(float(cut[2]), abs=0.01)
     assert target.exists()

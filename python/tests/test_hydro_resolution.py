@@ -11,8 +11,8 @@ from kingpost.cli import main
 from kingpost.errors import HydrodynamicsError
 from kingpost.hydro import build, database_file, resolution
 from kingpost.hydro.airy import wave_number
-from kingpost.hydro.command import parse_shape
 from kingpost.hydro.database import Water
+from kingpost.hydro.hull_options import parse_shape
 from kingpost.hydro.meshes import HullMeshes, parametric
 
 BARGE = "box:length_m=20,beam_m=10,draught_m=2,depth_m=5"

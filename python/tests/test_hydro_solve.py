@@ -10,8 +10,8 @@ from kingpost import cli, gallery
 from kingpost.errors import HydrodynamicsError
 from kingpost.hydro import build, checks, database_file, radiation_fit, symmetry
 from kingpost.hydro.airy import wave_number
-from kingpost.hydro.command import parse_shape
 from kingpost.hydro.database import Database, Water
+from kingpost.hydro.hull_options import parse_shape
 from kingpost.hydro.meshes import HullMeshes, parametric, whole
 from kingpost.hydro.panels import of_triangles
 from kingpost.hydro.solve import froude_krylov, solve

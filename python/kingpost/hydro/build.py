@@ -84,8 +84,9 @@ def build(
     highest = float(frequencies_rad_s[-1])
     if directions is None:
         directions = default_directions(hull.particulars.length_m, highest, water)
-    _check_depth(hull, water)
-    _check_panels(hull, water, highest)
+    check_depth(hull, water)
+    _check_panels(hull)
+    check_waves(hull, water, highest)
     lid_wanted, notes = choose_lid(hull, with_lid)
     if loading is not None:
         # Refuse a hull that would not stay upright before the long computation.
@@ -125,18 +126,23 @@ def build(
     return replace(database, mean_drift=found_drift, mean_drift_loading=kept)
 
 
-def _check_depth(hull: HullMeshes, water: Water) -> None:
+def check_depth(hull: HullMeshes, water: Water) -> None:
+    """Refuse a sea bed above the keel."""
     draught = hull.particulars.draught_m
     if water.depth_m is not None and water.depth_m <= draught:
         allowed = f"more than the draught of {draught:g} m"
         raise HydrodynamicsError("water_depth_m", f"{water.depth_m:g}", allowed)
 
 
-def _check_panels(hull: HullMeshes, water: Water, highest: float) -> None:
+def _check_panels(hull: HullMeshes) -> None:
     count = len(hull.panels.faces)
     if count > MOST_PANELS:
         found = f"{count} panels to solve for, of {hull.panel_count}"
         raise HydrodynamicsError("hull", found, f"at most {MOST_PANELS}: use fewer panels or a coarser mesh")
+
+
+def check_waves(hull: HullMeshes, water: Water, highest: float) -> None:
+    """Refuse frequencies that the panels do not resolve."""
     wave_length = 2 * np.pi / wave_number(highest, water)
     if wave_length < PANELS_PER_WAVE * hull.panel_size_m:
         raise HydrodynamicsError(

@@ -14,12 +14,15 @@ waterplane and mesh remain those of the upright hull, in hull axes.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
+
+MOTIONS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 
 
 @dataclass(frozen=True)
@@ -178,3 +181,18 @@ class Database:
     def excitation(self) -> NDArray[np.complex128]:
         """Froude-Krylov and diffraction together."""
         return self.froude_krylov + self.diffraction
+
+    @property
+    def every_hull(self) -> tuple[Hull, ...]:
+        """The hull, as a database of several has them."""
+        return (self.hull,)
+
+    @property
+    def motions(self) -> tuple[str, ...]:
+        """Names of the motions."""
+        return MOTIONS
+
+    @property
+    def reach_m(self) -> float:
+        """Radius of the circle about the origin that encloses the water plane, for a hull about it."""
+        return math.hypot(self.hull.length_m, self.hull.beam_m) / 2

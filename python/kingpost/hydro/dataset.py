@@ -6,13 +6,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..errors import HydrodynamicsError
+from .database import MOTIONS
+from .several import SeveralHulls
+
 if TYPE_CHECKING:
     import xarray
     from numpy.typing import NDArray
 
     from .database import Database
 
-MOTIONS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 FRAME = "hull: x forward, y to port, z up, origin on the water plane"
 LEVEL = "level: x forward, y to port, z up, origin on the water plane, above or below the hull's"
 """Description of the coefficients' frame for an inclined hull; x is along its heading."""
@@ -37,6 +40,11 @@ def to_dataset(database: Database) -> xarray.Dataset:
         motion. For a hull that lists or trims, the attributes have ``roll_rad``, ``pitch_rad`` and
         ``height_m``.
 
+    Raises
+    ------
+    HydrodynamicsError
+        If it is a database of several hulls.
+
     >>> from kingpost import gallery
     >>> from kingpost.hydro import read
     >>> found = to_dataset(read(gallery.folder() / "hydro" / "barge.hydro.json"))
@@ -47,6 +55,9 @@ def to_dataset(database: Database) -> xarray.Dataset:
     """
     import xarray
 
+    if isinstance(database, SeveralHulls):
+        found = f"several hulls, {', '.join(database.names)}"
+        raise HydrodynamicsError("database", found, "one hull: database.of(name) gives one of them")
     by_motion, by_wave = ("influenced_dof", "radiating_dof"), ("omega", "wave_direction", "influenced_dof")
     rows = [
         ("added_mass", ("omega", *by_motion), database.added_mass, "added mass"),

@@ -53,6 +53,8 @@ class Size:
         Number of wave directions to solve for.
     rings
         Number of angles of the ring waves.
+    motions
+        Six for each hull.
     """
 
     panels: int
@@ -61,6 +63,7 @@ class Size:
     directions: int
     frequencies: int
     rings: int
+    motions: int = 6
 
     @property
     def matrix_bytes(self) -> float:
@@ -93,7 +96,7 @@ def memory_bytes(run: Size) -> float:
     '41 MB a matrix, 161 MB in all'
     """
     images = 2**run.reflections
-    whole, problems = run.panels * images, 6 + run.directions
+    whole, problems = run.panels * images, run.motions + run.directions
     # Potential, pressure and boundary condition of each problem, twice: once more for the ring waves.
     fields = 6 * COMPLEX * problems * whole
     kept = COPIES * COMPLEX * run.frequencies * problems * run.rings

@@ -11,7 +11,7 @@ damping is a thousandth of its peak: a fit relative to the peak alone is useless
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
@@ -22,8 +22,12 @@ from .memory import frequency_response
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from .database import Database
+    from .database import Database, Hull, Water
+    from .several import SeveralHulls
     from .vector_fitting import Array, ComplexArray
+
+    Hulls = Database | SeveralHulls
+    One = TypeVar("One", bound=Hulls)
 
 FEWEST_FREQUENCIES = 8
 # The scale of a motion is its peak of K, at least this share of rho V l^2 sqrt(g / l): the yaw of a body of
@@ -39,6 +43,8 @@ class FitData:
 
     Attributes
     ----------
+    motions
+        Their names.
     peaks
         (motion): the largest min(1, w_i / w) |K_ii|, w_i the frequency of the motion's largest damping; at
         least the value from `LEAST_PEAK`.
@@ -53,6 +59,7 @@ class FitData:
         (frequency, motion): peak_i / (B_ii + 2 zeta w (M_ii + A_ii)).
     """
 
+    motions: tuple[str, ...]
     omega: Array
     peaks: Array
     scaled: ComplexArray
@@ -61,7 +68,7 @@ class FitData:
     sensitivity: Array
 
     @classmethod
-    def of(cls, database: Database, limit: float) -> FitData:
+    def of(cls, database: Hulls, limit: float) -> FitData:
         """Make the data of a fit with this limit on the error."""
         omega, response = database.frequencies_rad_s, frequency_response(database)
         response = 0.5 * (response + response.transpose(0, 2, 1))
@@ -75,7 +82,9 @@ class FitData:
         centre = centres[damped].max(initial=omega[0])
         coupled = np.abs(scaled).max(axis=0) > 0.1 * limit
         sensitivity = peaks / _least_impedance(database, diagonal.real)
-        return cls(omega, peaks, scaled, coupled, np.minimum(1.0, centre / omega), sensitivity)
+        return cls(
+            database.motions, omega, peaks, scaled, coupled, np.minimum(1.0, centre / omega), sensitivity
+        )
 
     @property
     def scale(self) -> Array:
@@ -109,16 +118,19 @@ def _least_impedance(database: Database, damping: Array) -> Array:
     return np.maximum(damping, 0.0) + light * np.maximum(mass, displaced_mass(database))
 
 
-def _natural_damping(database: Database) -> Array:
+def _natural_damping(database: Hulls) -> Array:
     """rho V l^2 sqrt(g / V^(1/3)) of each motion, with l half the beam or the length for rotations, otherwise
     1."""
-    hull, water = database.hull, database.water
+    return np.concatenate([_natural(hull, database.water) for hull in database.every_hull])
+
+
+def _natural(hull: Hull, water: Water) -> Array:
     lever = np.array([1.0, 1.0, 1.0, 0.5 * hull.beam_m, 0.5 * hull.length_m, 0.5 * hull.length_m])
     rate = np.sqrt(water.gravity_m_s2 / hull.volume_m3 ** (1.0 / 3.0))
     return water.density_kg_m3 * hull.volume_m3 * lever**2 * rate
 
 
-def up_to(database: Database, highest_rad_s: float) -> Database:
+def up_to(database: One, highest_rad_s: float) -> One:
     """Return the data up to a highest frequency.
 
     Raises

@@ -66,7 +66,8 @@ class Influence:
         return self._by_block(vector, [block.__matmul__ for block in self.blocks])
 
     def solve(self, vector: NDArray) -> NDArray:
-        """Solve A x = vector. The first call overwrites the matrix with its factors, which are kept."""
+        """Solve A x = vector, or several vectors that are the columns of a matrix. The first call overwrites
+        the matrix with its factors, which are kept."""
         from scipy.linalg import lu_factor
 
         while self.blocks:
@@ -78,7 +79,7 @@ class Influence:
         transform(parts)
         found = np.array([map_(part) for map_, part in zip(maps, parts, strict=True)])
         transform(found)
-        return found.reshape(-1) / len(maps)
+        return found.reshape(vector.shape) / len(maps)
 
 
 def _solver(factor: Any) -> Any:

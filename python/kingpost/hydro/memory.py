@@ -24,6 +24,7 @@ import numpy as np
 
 if TYPE_CHECKING:
     from .database import Database
+    from .several import SeveralHulls
     from .vector_fitting import Array, ComplexArray
 
 # Least and largest power of omega with which damping falls beyond the data: 3 is the slowest known, for a
@@ -33,7 +34,7 @@ SLOWEST_TAIL, FASTEST_TAIL = 3.0, 7.0
 TAIL_END = 40.0
 
 
-def frequency_response(database: Database) -> ComplexArray:
+def frequency_response(database: Database | SeveralHulls) -> ComplexArray:
     """K(j omega), (frequency, force, motion), in the sense of exp(+j omega t)."""
     omega = database.frequencies_rad_s[:, None, None]
     return database.radiation_damping + 1j * omega * (database.added_mass - database.added_mass_infinite)
@@ -81,7 +82,7 @@ def damping_on_a_fine_grid(omega: Array, damping: Array, points: int = 4000) -> 
     return np.concatenate([inside, beyond]), fine
 
 
-def retardation(database: Database, t: Array) -> Array:
+def retardation(database: Database | SeveralHulls, t: Array) -> Array:
     """k(t) = (2/pi) integral_0^inf B(w) cos(w t) dw, (time, force, motion), directly from the damping.
 
     Between the frequencies damping is a piecewise cubic, at 0 it is 0, beyond the last it is `tail`; on

@@ -87,6 +87,14 @@ def mirrored(quads: Grid, axis: int) -> Grid:
     return image
 
 
+def completed(panels: Panels, axes: Sequence[int]) -> Panels:
+    """Panels and their mirror images along some axes."""
+    quads = panels.vertices[panels.faces]
+    for axis in axes:
+        quads = np.concatenate([quads, mirrored(quads, axis)])
+    return _welded(quads) if axes else panels
+
+
 def _quads(grid: Grid, inside: Grid) -> Grid:
     """Corners of a grid's panels, shape (panels, 4, 3)."""
     corners = [grid[:-1, :-1], grid[1:, :-1], grid[1:, 1:], grid[:-1, 1:]]

@@ -23,12 +23,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .least_squares import least_distance
+from .passivity import violations
 from .vector_fitting import Array, ComplexArray, columns, partial_fractions, residues
 
-ROUNDS = 60
-# Lower bound of the eigenvalues of the scaled Re K, relative to a peak of K of 1.
-MARGIN = 1e-5
+ROUNDS, ROUNDS_OF_SEVERAL = 60, 150
+# Lower bound of the eigenvalues of the scaled Re K, relative to a peak of K of 1. Half of it is enough: the
+# wider the bound, the fewer rounds twelve motions need. It changes Re K by a quarter of itself at most.
+MARGIN, MARGIN_OF_SEVERAL = 1e-5, 2e-4
 REFINEMENTS = 4
+POINTS, NEAR_A_POLE = 1500, 41
 # Number of the lowest points that are refined, or made constraints, at a time.
 AT_ONCE = 60
 
@@ -41,11 +44,17 @@ class Grid:
     omega: Array
 
     @classmethod
-    def of(cls, poles: ComplexArray, omega: Array, points: int = 1500) -> Grid:
+    def of(
+        cls, poles: ComplexArray, omega: Array, points: int = POINTS, near_a_pole: int = NEAR_A_POLE
+    ) -> Grid:
         """omega = centre tan(theta), even in theta, with more points around every pole."""
         centre = float(np.sqrt(omega[0] * omega[-1]))
         even = centre * np.tan(np.linspace(0.0, 0.5 * np.pi, points + 1)[:-1])
-        near = [pole.imag + abs(pole.real) * np.linspace(-3.0, 3.0, 41) for pole in poles if pole.imag > 0.0]
+        near = [
+            pole.imag + abs(pole.real) * np.linspace(-3.0, 3.0, near_a_pole)
+            for pole in poles
+            if pole.imag > 0.0
+        ]
         return cls(centre, np.unique(np.abs(np.concatenate([even, *near]))))
 
     def about(self, lowest: NDArray[np.intp]) -> Grid:
@@ -53,6 +62,10 @@ class Grid:
         last = len(self.omega) - 1
         low, high = self.omega[np.maximum(lowest - 1, 0)], self.omega[np.minimum(lowest + 1, last)]
         return Grid(self.centre, np.unique(np.append(self.omega, np.linspace(low, high, 41))))
+
+    def joined(self, omega: Array) -> Grid:
+        """Add frequencies."""
+        return Grid(self.centre, np.unique(np.append(self.omega, omega)))
 
     def scaled_real_part(self, poles: ComplexArray) -> Array:
         """Columns of Re K(j omega) (centre/omega + omega/centre)^2 for K(0) = 0; the last row is the limit at
@@ -81,6 +94,9 @@ class Problem:
         (frequency), (frequency, entry) complex, (frequency).
     tail_omega, tail_real, tail_weights
         Beyond the data only the real part is fitted: (frequency), (frequency, entry), (frequency).
+    verified
+        Passivity is imposed on a coarse grid of frequencies and verified between them by the eigenvalues of a
+        Hamiltonian matrix (`passivity`); else it is imposed on a fine grid.
     """
 
     size: int
@@ -91,6 +107,18 @@ class Problem:
     tail_omega: Array
     tail_real: Array
     tail_weights: Array
+    verified: bool = False
+
+    @property
+    def margin(self) -> float:
+        """Lower bound of the eigenvalues; half of it is enough."""
+        return MARGIN_OF_SEVERAL if self.verified else MARGIN
+
+    def grid(self, poles: ComplexArray) -> Grid:
+        """The first grid of frequencies at which passivity is imposed."""
+        if self.verified:
+            return Grid.of(poles, self.omega, POINTS // 5, NEAR_A_POLE // 3)
+        return Grid.of(poles, self.omega)
 
 
 def zero_at_zero(poles: ComplexArray) -> Array:
@@ -111,18 +139,24 @@ def passive_residues(poles: ComplexArray, problem: Problem) -> ComplexArray | No
     triangle, best = _unconstrained(poles, problem, span)
     doubled = np.array([1.0 if i == j else np.sqrt(2.0) for i, j in problem.entries])
     cuts, bounds = np.zeros((0, best.size)), np.zeros(0)
-    unknowns, grid, refinements = best, Grid.of(poles, problem.omega), 0
+    unknowns, grid, refinements = best, problem.grid(poles), 0
     real_part = grid.scaled_real_part(poles) @ span
-    for _ in range(ROUNDS):
+    margin = problem.margin
+    for _ in range(ROUNDS_OF_SEVERAL if problem.verified else ROUNDS):
         values, vectors = np.linalg.eigh(_symmetric(real_part @ unknowns, problem))
         lowest = _lowest_points(values)
-        if not (values < 0.5 * MARGIN).any():
-            if refinements == REFINEMENTS:
-                return _matrices(poles, span @ unknowns, problem)
-            refinements, grid = refinements + 1, grid.about(np.unique(lowest[:, 0]))
+        if not (values < 0.5 * margin).any():
+            if not problem.verified and refinements < REFINEMENTS:
+                refinements, grid = refinements + 1, grid.about(np.unique(lowest[:, 0]))
+            else:
+                found = _matrices(poles, span @ unknowns, problem)
+                missed = violations(poles, found) if problem.verified else np.zeros(0)
+                if not missed.size:
+                    return found
+                grid = grid.joined(missed)
             real_part = grid.scaled_real_part(poles) @ span
             continue
-        at = [(k, vectors[k, :, mode]) for k, mode in lowest if values[k, mode] < 0.5 * MARGIN]
+        at = [(k, vectors[k, :, mode]) for k, mode in lowest if values[k, mode] < 0.5 * margin]
         # z = doubled triangle (y - best) of each entry turns the sum of squares into |z|^2.
         whitened = np.linalg.solve(triangle.T, real_part[[k for k, _ in at]].T).T
         for (k, v), row in zip(at, whitened, strict=True):
@@ -130,14 +164,14 @@ def passive_residues(poles: ComplexArray, problem: Problem) -> ComplexArray | No
             cut = ((factors / doubled)[:, None] * row).ravel()
             length = np.linalg.norm(cut)
             cuts = np.vstack([cuts, cut / length])
-            bounds = np.append(bounds, (MARGIN - real_part[k] @ best @ factors) / length)
-        found = least_distance(cuts, bounds)
-        if found is None:
+            bounds = np.append(bounds, (margin - real_part[k] @ best @ factors) / length)
+        shortest = least_distance(cuts, bounds)
+        if shortest is None:
             return None
         # Inactive constraints are dropped; they are added again if needed.
-        touching = cuts @ found - bounds < 1e-9
+        touching = cuts @ shortest - bounds < 1e-9
         cuts, bounds = cuts[touching], bounds[touching]
-        unknowns = best + np.linalg.solve(triangle, found.reshape(len(doubled), -1).T / doubled)
+        unknowns = best + np.linalg.solve(triangle, shortest.reshape(len(doubled), -1).T / doubled)
     return None
 
 

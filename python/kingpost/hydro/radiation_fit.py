@@ -19,7 +19,6 @@ import numpy as np
 
 from ..errors import HydrodynamicsError
 from .database import Radiation, RadiationMode
-from .dataset import MOTIONS
 from .fit_data import FitData, up_to
 from .memory import frequency_response, tail
 from .passive_residues import Problem, best_residues, passive_residues
@@ -28,25 +27,27 @@ from .vector_fitting import common_poles, order, partial_fractions
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from .database import Database
+    from .fit_data import Hulls
     from .vector_fitting import Array, ComplexArray
 
 LIMIT = 0.02
-MOST_STATES = 24
+MOST_STATES, MOST_STATES_OF_SEVERAL = 24, 32
 PASSIVE_TRIALS = 4
 # Frequencies of the tail in the fit, over the highest frequency of the data.
 TAIL = np.array([1.15, 1.4, 1.8, 2.5, 4.0, 7.0])
 # Weights of the tail relative to the last frequency of the data, tried in turn: if no order meets the limits
 # with the first, the guessed tail counts less than the data, a hundredth in squares.
 TAIL_WEIGHTS = (1.0, 0.1)
+# Several hulls have many couplings, whose tails follow no rule.
+TAIL_WEIGHTS_OF_SEVERAL = (0.1,)
 # Fits whose errors differ by less than this factor count as equal: the one with fewer poles is taken.
 ALIKE = 1.5
 
 
 def fit(
-    database: Database,
+    database: Hulls,
     limit: float = LIMIT,
-    most_states: int = MOST_STATES,
+    most_states: int | None = None,
     highest_rad_s: float | None = None,
     accept: bool = False,
     response_share: float = 1.0,
@@ -64,7 +65,7 @@ def fit(
         turns an error of K into one of A, whose accuracy by panels does not improve with w. Dimensionless,
         the same in any units and for forces and moments. Couplings below a tenth of it count as zero.
     most_states
-        The most states for a group of coupled motions.
+        The most states for a group of coupled motions; `None`: 24, or 32 of several hulls.
     highest_rad_s
         Leave out frequencies above it: the panels are too large for their waves.
     accept
@@ -87,8 +88,8 @@ def fit(
         If no order meets the limit, or fewer than eight frequencies are left.
     """
     database = up_to(database, np.inf if highest_rad_s is None else highest_rad_s)
-    data = FitData.of(database, limit)
-    modes = [RadiationMode(np.zeros(0, complex), np.zeros((0, 6), complex)) for _ in MOTIONS]
+    data, size = FitData.of(database, limit), len(database.motions)
+    modes = [RadiationMode(np.zeros(0, complex), np.zeros((0, size), complex)) for _ in range(size)]
     groups = _groups(data.coupled)
     for done, group in enumerate(groups):
 
@@ -97,10 +98,11 @@ def fit(
                 progress((done + share) / len(groups))
 
         limits = (limit, response_share * limit)
-        poles, matrices = _fit_group(data, group, limits, most_states, accept, report)
+        search = _Search.of(data, most_states)
+        poles, matrices = _fit_group(data, group, limits, search, accept, report)
         report(1.0)
         for column, motion in enumerate(group):
-            residues = np.zeros((len(poles), 6), complex)
+            residues = np.zeros((len(poles), size), complex)
             residues[:, group] = matrices[:, :, column] * np.sqrt(data.peaks[group] * data.peaks[motion])
             modes[motion] = RadiationMode(poles, residues)
     fitted = evaluate(Radiation(tuple(modes), 0.0), data.omega) / data.scale
@@ -110,7 +112,8 @@ def fit(
 def evaluate(radiation: Radiation, omega: Array) -> ComplexArray:
     """K(j omega) of a fitted memory, (frequency, force, motion)."""
     omega = np.atleast_1d(np.asarray(omega, float))
-    found = np.zeros((len(omega), 6, 6), complex)
+    size = len(radiation.modes)
+    found = np.zeros((len(omega), size, size), complex)
     for motion, mode in enumerate(radiation.modes):
         for pole, residue in zip(mode.poles_rad_s, mode.residues, strict=True):
             found[:, :, motion] += residue / (1j * omega[:, None] - pole)
@@ -134,7 +137,7 @@ class Misfit:
 
 
 def misfits(
-    database: Database, radiation: Radiation, limit: float = LIMIT, highest_rad_s: float | None = None
+    database: Hulls, radiation: Radiation, limit: float = LIMIT, highest_rad_s: float | None = None
 ) -> list[Misfit]:
     """The errors of each motion with a memory, in order.
 
@@ -144,7 +147,7 @@ def misfits(
     database = up_to(database, np.inf if highest_rad_s is None else highest_rad_s)
     data, found = FitData.of(database, limit), []
     error = evaluate(radiation, data.omega) - frequency_response(database)
-    for motion, name in enumerate(MOTIONS):
+    for motion, name in enumerate(database.motions):
         if not data.coupled[motion, motion]:
             continue
         one = error[:, motion, motion]
@@ -156,7 +159,7 @@ def misfits(
             name, float(weighted.max()),
             float(np.abs(one.imag / data.omega).max() / max(largest[0], 1e-300)),
             float(np.abs(one.real).max() / max(largest[1], 1e-300)),
-            float(data.omega[at]), MOTIONS[other] if other != motion else "",
+            float(data.omega[at]), database.motions[other] if other != motion else "",
         ))  # fmt: skip
     return found
 
@@ -164,7 +167,8 @@ def misfits(
 def impulse_response(radiation: Radiation, t: Array) -> Array:
     """k(t) = sum of r exp(p t), (time, force, motion), for t >= 0: kg/s2, kg m/s2, kg m2/s2."""
     t = np.atleast_1d(np.asarray(t, float))
-    found = np.zeros((len(t), 6, 6))
+    size = len(radiation.modes)
+    found = np.zeros((len(t), size, size))
     for motion, mode in enumerate(radiation.modes):
         for pole, residue in zip(mode.poles_rad_s, mode.residues, strict=True):
             twice = 1.0 if pole.imag == 0.0 else 2.0
@@ -175,7 +179,7 @@ def impulse_response(radiation: Radiation, t: Array) -> Array:
 def _groups(coupled: Array) -> list[list[int]]:
     """Groups of motions that are coupled, directly or through others; motions without a memory are in no
     group."""
-    left, groups = [motion for motion in range(6) if coupled[motion, motion]], []
+    left, groups = [motion for motion in range(len(coupled)) if coupled[motion, motion]], []
     while left:
         group = [left.pop(0)]
         for motion in group:
@@ -208,11 +212,29 @@ class _Trial:
         return max(self.error, self.response_error)
 
 
+@dataclass(frozen=True)
+class _Search:
+    """Numbers of states and weights of the tail that are tried, and whether passivity is verified: for
+    several hulls each trial takes seconds, and only every second number is tried."""
+
+    orders: range
+    tail_weights: tuple[float, ...]
+    verified: bool
+
+    @classmethod
+    def of(cls, data: FitData, most_states: int | None) -> _Search:
+        several = len(data.motions) > 6
+        most = min(most_states or (MOST_STATES_OF_SEVERAL if several else MOST_STATES), len(data.omega))
+        if several:
+            return cls(range(min(4, most), most + 1, 2), TAIL_WEIGHTS_OF_SEVERAL, True)
+        return cls(range(2, most + 1), TAIL_WEIGHTS, False)
+
+
 def _fit_group(
     data: FitData,
     group: list[int],
     limits: tuple[float, float],
-    most_states: int,
+    search: _Search,
     accept: bool,
     report: Callable[[float], None],
 ) -> tuple[ComplexArray, ComplexArray]:
@@ -221,11 +243,10 @@ def _fit_group(
     limit, response_limit = limits
     tried: list[tuple[_Trial, Problem]] = []
     passed: list[_Trial] = []
-    for tail_weight in TAIL_WEIGHTS:
-        problem = _problem(data, group, limit, tail_weight)
-        orders = range(2, min(most_states, len(data.omega)) + 1)
-        for states in orders:
-            report(len(tried) / (len(TAIL_WEIGHTS) * len(orders)))
+    for tail_weight in search.tail_weights:
+        problem = _problem(data, group, limit, tail_weight, search.verified)
+        for states in search.orders:
+            report(len(tried) / (len(search.tail_weights) * len(search.orders)))
             poles = common_poles(problem.responses, problem.omega, problem.weights, states)
             trial = _Trial.of(data, group, poles, best_residues(poles, problem))
             tried.append((trial, problem))
@@ -250,7 +271,7 @@ def _fit_group(
         best = _fewest_of_the_best(passed, lambda one: one.both)
         return best.poles, best.residues
     best = min((trial for trial, _ in tried), key=lambda one: one.error)
-    omega, names = data.omega, ", ".join(MOTIONS[motion] for motion in group)
+    omega, names = data.omega, ", ".join(data.motions[motion] for motion in group)
     why = "" if best.error > limit else ", of a memory that generates energy; no passive one meets the limit"
     raise HydrodynamicsError(
         f"radiation of {names}",
@@ -280,7 +301,9 @@ def _values(poles: ComplexArray, residues: ComplexArray, omega: Array) -> Comple
     return np.tensordot(partial_fractions(poles, 1j * omega), unknowns, axes=1)
 
 
-def _problem(data: FitData, group: list[int], limit: float, tail_weight: float) -> Problem:
+def _problem(
+    data: FitData, group: list[int], limit: float, tail_weight: float, verified: bool = False
+) -> Problem:
     """Each frequency interval is weighted by its width, at least a third of the mean; each frequency also by
     the effect of an error there on responses.
 
@@ -297,4 +320,4 @@ def _problem(data: FitData, group: list[int], limit: float, tail_weight: float) 
     beyond = omega[-1] * (TAIL[:0] if decayed else TAIL)
     damping = np.array([tail(omega, one, beyond) for one in responses.real.T]).T
     faint = tail_weight * counts[-1] * omega[-1] / beyond
-    return Problem(n, tuple(entries), omega, responses, weights, beyond, damping, faint)
+    return Problem(n, tuple(entries), omega, responses, weights, beyond, damping, faint, verified)

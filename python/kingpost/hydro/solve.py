@@ -148,31 +148,69 @@ def _settings(
     ])  # fmt: skip
 
 
-class _Problem:
-    """A hull as a Capytaine body."""
+class Flow:
+    """Capytaine's problems for bodies with any number of motions, in water of some depth."""
 
-    def __init__(self, module: Any, hull: HullMeshes, water: Water, cover: Panels | None, rings: int) -> None:
+    def __init__(self, module: Any, water: Water) -> None:
         self.module = module
         self.engine = Engine(finite_depth.green_function(module))
         self.solver = module.BEMSolver(engine=self.engine, method="direct")
-        self.water, self.rings = water, rings
+        self.water = water
         depth = np.inf if water.depth_m is None else water.depth_m
         self.conditions = {"rho": water.density_kg_m3, "g": water.gravity_m_s2, "water_depth": depth}
+
+    def hold(self, mesh: Any, lid_mesh: Any, motions: dict[str, Any]) -> None:
+        """Take the wetted mesh, its lid, or `None`, and the motions."""
+        self.bare = self.module.FloatingBody(mesh=mesh, dofs=motions)
+        self.body = self.bare
+        if lid_mesh is not None:
+            self.body = self.module.FloatingBody(mesh=mesh, lid_mesh=lid_mesh, dofs=motions)
+        self.motions = list(self.body.dofs)
+
+    def infinite(self) -> NDArray[np.float64]:
+        """Added mass at infinite frequency, where the potential vanishes on the water plane."""
+        problems = [self.radiation(self.bare, motion, np.inf) for motion in self.motions]
+        found = self.matrix([self.solved(problem).added_masses for problem in problems])
+        self.engine.forget()
+        return found
+
+    def radiation(self, body: Any, motion: str, frequency: float) -> Any:
+        """The problem of a motion in calm water."""
+        return self.module.RadiationProblem(
+            body=body, omega=frequency, radiating_dof=motion, **self.conditions
+        )
+
+    def diffraction(self, angle: float, frequency: float) -> Any:
+        """The problem of held bodies in a wave."""
+        return self.module.DiffractionProblem(
+            body=self.body, omega=frequency, wave_direction=angle, **self.conditions
+        )
+
+    def solved(self, problem: Any) -> Any:
+        """Capytaine's result of a problem."""
+        return self.solver.solve(problem, _check_wavelength=False)
+
+    def matrix(self, by_motion: Sequence[dict[str, Any]]) -> NDArray[np.float64]:
+        """Rows are forces, columns motions."""
+        return np.array([[float(column[force]) for column in by_motion] for force in self.motions])
+
+
+class _Problem(Flow):
+    """A hull as a Capytaine body."""
+
+    def __init__(self, module: Any, hull: HullMeshes, water: Water, cover: Panels | None, rings: int) -> None:
+        super().__init__(module, water)
+        self.rings = rings
         motions = module.rigid_body_dofs(rotation_center=(0, 0, 0))
         mesh = capytaine_mesh(module, hull.panels, hull.reflections)
-        self.bare = module.FloatingBody(mesh=mesh, dofs=motions)
-        self.body = self.bare
-        if cover is not None:
-            lid_mesh = capytaine_mesh(module, cover, hull.reflections)
-            self.body = module.FloatingBody(mesh=mesh, lid_mesh=lid_mesh, dofs=motions)
-        self.motions = list(self.body.dofs)
+        self.hold(mesh, None if cover is None else capytaine_mesh(module, cover, hull.reflections), motions)
 
     def at(self, frequency: float, angles: NDArray[np.float64]) -> tuple[NDArray, ...]:
         """Added mass, damping, diffraction forces, and the ring waves radiated and scattered."""
-        radiated = [self._solve(self._radiation(self.body, motion, frequency)) for motion in self.motions]
-        scattered = [self._solve(self._diffraction(angle, frequency)) for angle in angles]
-        added_mass = self._matrix([result.added_masses for result in radiated])
-        damping = self._matrix([result.radiation_dampings for result in radiated])
+        radiated = [self.solved(self.radiation(self.body, motion, frequency)) for motion in self.motions]
+        scattered = [self.solved(self.diffraction(angle, frequency)) for angle in angles]
+        added_mass = self.matrix([result.added_masses for result in radiated])
+        damping = self.matrix([result.radiation_dampings for result in radiated])
         forces = np.array([[result.forces[motion] for motion in self.motions] for result in scattered])
         self.engine.forget()
         waves = self._ring_waves([*radiated, *scattered], frequency)
@@ -183,30 +221,6 @@ class _Problem:
         potential = np.array([result.potential[shell] for result in results])
         velocity = np.array([result.problem.boundary_condition[shell] for result in results])
         return ring_waves(self.body.mesh, potential, velocity, frequency, self.water, self.rings)
-
-    def infinite(self) -> NDArray[np.float64]:
-        """Added mass at infinite frequency, where the potential vanishes on the water plane."""
-        problems = [self._radiation(self.bare, motion, np.inf) for motion in self.motions]
-        found = self._matrix([self._solve(problem).added_masses for problem in problems])
-        self.engine.forget()
-        return found
-
-    def _radiation(self, body: Any, motion: str, frequency: float) -> Any:
-        return self.module.RadiationProblem(
-            body=body, omega=frequency, radiating_dof=motion, **self.conditions
-        )
-
-    def _diffraction(self, angle: float, frequency: float) -> Any:
-        return self.module.DiffractionProblem(
-            body=self.body, omega=frequency, wave_direction=angle, **self.conditions
-        )
-
-    def _solve(self, problem: Any) -> Any:
-        return self.solver.solve(problem, _check_wavelength=False)
-
-    def _matrix(self, by_motion: Sequence[dict[str, Any]]) -> NDArray[np.float64]:
-        """Rows are forces, columns motions."""
-        return np.array([[float(column[force]) for column in by_motion] for force in self.motions])
 
 
 def capytaine_mesh(module: Any, panels: Panels, reflections: Sequence[int]) -> Any:

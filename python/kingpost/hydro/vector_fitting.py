@@ -112,11 +112,11 @@ def _relocated(poles: ComplexArray, responses: ComplexArray, s: ComplexArray, we
     lengths = np.linalg.norm(matrix, axis=0)
     unknowns = np.linalg.lstsq(matrix / lengths, right, rcond=None)[0] / lengths
     direct = unknowns[-1] if abs(unknowns[-1]) > 1e-8 else np.copysign(1e-8, unknowns[-1])
-    state, inputs = _real_state_space(poles)
+    state, inputs = real_state_space(poles)
     return np.linalg.eigvals(state - np.outer(inputs, unknowns[:-1] / direct))
 
 
-def _real_state_space(poles: ComplexArray) -> tuple[Array, Array]:
+def real_state_space(poles: ComplexArray) -> tuple[Array, Array]:
     """A and b of the partial fractions in real form."""
     n = order(poles)
     state, inputs, row = np.zeros((n, n)), np.zeros(n), 0

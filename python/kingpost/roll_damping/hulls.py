@@ -6,9 +6,9 @@ import os
 from pathlib import Path
 
 from ..errors import RollDampingError
-from ..hydro.command import SHAPES, parse_shape
 from ..hydro.database_file import ENDING, read
 from ..hydro.hull_files import HullFile
+from ..hydro.hull_options import SHAPES, parse_shape
 from ..hydro.meshes import parametric, whole
 from ..hydro.surface import Surface
 from .cutting import STATIONS, cut

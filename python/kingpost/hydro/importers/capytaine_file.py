@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..dataset import MOTIONS
+from ..database import MOTIONS
 from .foreign import Foreign, Options, reading_error
 
 if TYPE_CHECKING:

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ...errors import HydrodynamicsError
-from ..checks import MOTIONS
+from ..database import MOTIONS
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
