@@ -14,12 +14,12 @@ from .. import progress
 from ..errors import HydrodynamicsError, flag
 from . import demand
 from .database_file import One, rounded, write
-from .fit_data import FEWEST_FREQUENCIES
-from .radiation_fit import LIMIT, Misfit, fit, misfits
+from .fit_data import FEWEST_FREQUENCIES, OTHER_DAMPING
+from .radiation_fit import LIMIT, Misfit, fit, misfits, response_error
+from .several import SeveralHulls
 
 if TYPE_CHECKING:
     from .database import Database, Provenance, Radiation
-    from .several import SeveralHulls
 
 MOST_FIT_ERROR = 0.25
 """Largest error of a written fit of the memory, as a share of its peak: the heave amplitude at resonance has
@@ -77,10 +77,21 @@ def fitted(database: One, options: argparse.Namespace, target: Path, response_sh
             f"{'  ' + one.motion:<20}{one.memory:.2%} of K, {one.added_mass:.2%} of A, {one.damping:.2%} of B"
         )
     missed = [_missed(one) for one in found if one.memory > LIMIT]
+    if isinstance(database, SeveralHulls):
+        missed += _motions_missed(response_error(database, radiation, options.highest_rad_s))
     warn(missed)
     database = replace(warned_of(database, missed), radiation=radiation)
     print(f"{'written':<20}{write(database, target)}")
     return database
+
+
+def _motions_missed(error: float) -> list[str]:
+    """Print the error of the motions of freely floating hulls; return a warning if it is large."""
+    other = f"with other damping of {OTHER_DAMPING:.0%} of the critical"
+    print(f"{'  free motions':<20}{error:.2%} of their peaks, {other}")
+    if error <= LIMIT:
+        return []
+    return [f"the memory changes motions of the hulls, floating freely, by {error:.1%} of their peaks"]
 
 
 def _cut(database: Database | SeveralHulls, found: list[Misfit]) -> str:

@@ -17,13 +17,14 @@ import numpy as np
 
 from ..errors import HydrodynamicsError
 from .checks import displaced_mass
+from .free_response import FreeResponse
 from .memory import frequency_response
+from .several import SeveralHulls
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from .database import Database, Hull, Water
-    from .several import SeveralHulls
     from .vector_fitting import Array, ComplexArray
 
     Hulls = Database | SeveralHulls
@@ -57,6 +58,9 @@ class FitData:
         nearly j w (A - A_inf), and this weight turns an error of K into one of A.
     sensitivity
         (frequency, motion): peak_i / (B_ii + 2 zeta w (M_ii + A_ii)).
+    free
+        The motions of several hulls in waves, whose change is the error of the response; `None` for one
+        hull.
     """
 
     motions: tuple[str, ...]
@@ -66,6 +70,7 @@ class FitData:
     coupled: NDArray[np.bool_]
     importance: Array
     sensitivity: Array
+    free: FreeResponse | None = None
 
     @classmethod
     def of(cls, database: Hulls, limit: float) -> FitData:
@@ -82,9 +87,9 @@ class FitData:
         centre = centres[damped].max(initial=omega[0])
         coupled = np.abs(scaled).max(axis=0) > 0.1 * limit
         sensitivity = peaks / _least_impedance(database, diagonal.real)
-        return cls(
-            database.motions, omega, peaks, scaled, coupled, np.minimum(1.0, centre / omega), sensitivity
-        )
+        free = FreeResponse.of(database, OTHER_DAMPING) if isinstance(database, SeveralHulls) else None
+        importance = np.minimum(1.0, centre / omega)
+        return cls(database.motions, omega, peaks, scaled, coupled, importance, sensitivity, free)
 
     @property
     def scale(self) -> Array:
@@ -93,6 +98,8 @@ class FitData:
 
     def counts(self, group: list[int]) -> Array:
         """Weight of an error at each frequency, for motions that are fitted together."""
+        if self.free is not None:
+            return np.maximum(self.importance, self.free.gains(group, np.sqrt(self.peaks)))
         return np.maximum(self.importance, np.exp(np.log(self.sensitivity[:, group]).mean(axis=1)))
 
     def by_frequency(self, error: ComplexArray) -> Array:
@@ -105,7 +112,12 @@ class FitData:
 
     def response_error(self, error: ComplexArray, group: list[int]) -> float:
         """Largest error of a response up to the frequency of the largest damping; above it only the mass
-        resists a motion. The motions of `error` are those of the group."""
+        resists a motion. Of several hulls, at any frequency, over the peak of each motion. The motions of
+        `error` are those of the group."""
+        if self.free is not None:
+            every = np.zeros_like(self.scaled)
+            every[np.ix_(range(len(every)), group, group)] = error
+            return self.free.error(every * self.scale)
         root = np.sqrt(self.sensitivity[:, group])
         relative = np.abs(error) * root[:, :, None] * root[:, None, :]
         return float(relative[self.importance >= 1.0].max(initial=0.0))

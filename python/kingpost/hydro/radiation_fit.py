@@ -19,7 +19,8 @@ import numpy as np
 
 from ..errors import HydrodynamicsError
 from .database import Radiation, RadiationMode
-from .fit_data import FitData, up_to
+from .fit_data import OTHER_DAMPING, FitData, up_to
+from .free_response import FreeResponse
 from .memory import frequency_response, tail
 from .passive_residues import Problem, best_residues, passive_residues
 from .vector_fitting import common_poles, order, partial_fractions
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from .fit_data import Hulls
+    from .several import SeveralHulls
     from .vector_fitting import Array, ComplexArray
 
 LIMIT = 0.02
@@ -162,6 +164,13 @@ def misfits(
             float(data.omega[at]), database.motions[other] if other != motion else "",
         ))  # fmt: skip
     return found
+
+
+def response_error(database: SeveralHulls, radiation: Radiation, highest_rad_s: float | None = None) -> float:
+    """Largest error of a motion of freely floating hulls in waves, over its peak (`free_response`)."""
+    database = up_to(database, np.inf if highest_rad_s is None else highest_rad_s)
+    error = evaluate(radiation, database.frequencies_rad_s) - frequency_response(database)
+    return FreeResponse.of(database, OTHER_DAMPING).error(error)
 
 
 def impulse_response(radiation: Radiation, t: Array) -> Array:

@@ -42,9 +42,9 @@ if TYPE_CHECKING:
 OF_SEVERAL = ("at", "name")
 OF_ONE = ("loading", *attitude_command.OPTIONS)
 """Options that several hulls do not have."""
-RESPONSE_SHARE = 2.5
-"""Error of the responses of free hulls that the fit of the memory aims for, over its limit: 5 % at a
-resonance with other damping of 5 % of the critical. Twelve motions with common poles need a minute for it."""
+RESPONSE_SHARE = 0.5
+"""Error of the motions of free hulls that the fit of the memory aims for, over its limit: 1 % of their
+peaks, with other damping of 5 % of the critical."""
 FARTHEST_M = 1e5
 
 
