@@ -6,12 +6,12 @@ from kingpost.errors import HydrodynamicsError
 from kingpost.hydro import finite_depth
 from kingpost.hydro.airy import decay, group_ratio, wave_number
 from kingpost.hydro.attitude import rotation
-from kingpost.hydro.command import parse_shape
 from kingpost.hydro.control_surface import beyond, control_surface, distance, outline, parallel
 from kingpost.hydro.database import Water
 from kingpost.hydro.drift import mean_drift
 from kingpost.hydro.far_field import ring_waves
 from kingpost.hydro.flow import Flow, WettedHull, first_order
+from kingpost.hydro.hull_options import parse_shape
 from kingpost.hydro.meshes import closed, parametric
 from kingpost.hydro.near_field import mean_force
 from kingpost.hydro.panels import Panels, lid, mirrored, of_patches

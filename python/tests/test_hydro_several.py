@@ -281,12 +281,20 @@ def test_a_hull_inside_another_is_refused() -> None:
         several_build.check_members(inside, Water())
 
 
+@pytest.mark.parametrize(("place", "length_m"), [((0, 13), 20), ((23, 0), 10), ((40, 30), 200**0.5)])
+def test_hulls_face_each_other_over_the_length_that_both_have_there(place, length_m) -> None:
+    # Corner to corner both lie askew to the way between them.
+    one, other = members((Place(), Place(*place)))
+    assert several_build.facing_m(one, other) == pytest.approx(length_m, abs=1e-9)
+
+
 def test_water_that_sloshes_across_a_gap_limits_the_frequencies() -> None:
     water, near, wide = Water(), members(BESIDE), members((Place(0, 0), Place(0, 40)))
     limit = several_build.sloshing_rad_s(near, water)
     assert limit == pytest.approx((0.9 * np.pi / 3 * 9.80665) ** 0.5)
     assert several_build.sloshing_rad_s(wide, water) == np.inf
-    assert several_build.gap_warnings(near, limit, water) == []
+    assert several_build.gap_warnings(near, 0.5 * limit, water) == []
+    assert "end at 3.04 rad/s" in several_build.gap_warnings(near, limit, water)[0]
     assert "sloshes" in several_build.gap_warnings(near, 4.0, water)[0]
     assert "narrower" in several_build.gap_warnings(members((Place(), Place(0, 10.5))), 1.0, water)[0]
 
@@ -310,10 +318,10 @@ def test_the_command_writes_a_database_of_both_hulls(tmp_path, capsys) -> None:
     assert "GB at most" in out
     assert " min for 8 frequencies" in out
     found = hydro.read_several(target)
-    assert found.names == ("box", "box 2")
+    assert found.names == ("box", "box_2")
     np.testing.assert_array_equal(found.added_mass, found.added_mass.transpose(0, 2, 1))
     assert len(found.radiation.modes) == 12
-    assert hydro.read(hydro.write(found.of("box 2"), tmp_path / "one.hydro.json")).motions[0] == "surge"
+    assert hydro.read(hydro.write(found.of("box_2"), tmp_path / "one.hydro.json")).motions[0] == "surge"
 
 
 @pytest.mark.parametrize(
@@ -322,7 +330,7 @@ def test_the_command_writes_a_database_of_both_hulls(tmp_path, capsys) -> None:
         ([BARGE, BARGE], "--at: found 0 places, allowed: 2, one for each hull"),
         ([BARGE, BARGE, "--at", "0,0,0", "--at", "1,2"], "--at: found '1,2', allowed: X_M,Y_M,HEADING_DEG"),
         ([BARGE, BARGE, "--at", "0,0,0", "--at", "0,5,0"], "--at: found box at x 0 m, y 0 m, heading 0 deg, "
-         "which overlaps or touches box 2 at x 0 m, y 5 m"),
+         "which overlaps or touches box_2 at x 0 m, y 5 m"),
         ([BARGE, BARGE, "--at", "0,0,0", "--at", "0,15,0", "--name", "a", "--name", "a"],
          "--name: found 'a' for 2 hulls, allowed: a name for each hull"),
         ([BARGE, BARGE, "--at", "0,0,0", "--at", "0,15,0", "--name", "a"], "--name: found 1 names"),

@@ -64,19 +64,19 @@ def fitted(database: One, options: argparse.Namespace, target: Path, response_sh
             response_share=response_share,
             progress=update,
         )
-    found = misfits(database, radiation, highest_rad_s=options.highest_rad_s)
+    misfit: list[Misfit] = misfits(database, radiation, highest_rad_s=options.highest_rad_s)
     if radiation.fit_error > MOST_FIT_ERROR:
         raise HydrodynamicsError(
             "radiation",
             f"a memory fitted to {radiation.fit_error:.0%} of its peak",
-            f"at most {MOST_FIT_ERROR:.0%}: with more it is no memory of this hull; {_cut(database, found)}",
+            f"at most {MOST_FIT_ERROR:.0%}: with more it is no memory of this hull; {_cut(database, misfit)}",
         )
     print(f"{'memory of the water':<20}{_states(radiation)} states, fitted to {radiation.fit_error:.2%}")
-    for one in found:
-        print(
-            f"{'  ' + one.motion:<20}{one.memory:.2%} of K, {one.added_mass:.2%} of A, {one.damping:.2%} of B"
-        )
-    missed = [_missed(one) for one in found if one.memory > LIMIT]
+    width = max([20, *(len(one.motion) + 4 for one in misfit)])
+    for one in misfit:
+        parts = f"{one.memory:.2%} of K, {one.added_mass:.2%} of A, {one.damping:.2%} of B"
+        print(f"{'  ' + one.motion:<{width}}{parts}")
+    missed = [_missed(one) for one in misfit if one.memory > LIMIT]
     if isinstance(database, SeveralHulls):
         missed += _motions_missed(response_error(database, radiation, options.highest_rad_s))
     warn(missed)

@@ -72,15 +72,22 @@ def outline(panels: Panels) -> Array:
     return np.array(kept)
 
 
+def _parts(polygon: Array, points: Array) -> bool:
+    """Whether a side of a convex polygon, counter-clockwise, has all points beyond it."""
+    along = np.roll(polygon, -1, axis=0) - polygon
+    from_start = points[:, None] - polygon
+    side = along[:, 0] * from_start[..., 1] - along[:, 1] * from_start[..., 0]
+    return bool((side < 0).all(axis=0).any())
+
+
 def distance(first: Array, second: Array) -> float:
-    """Least distance between two outlines; 0 if one has a corner inside the other."""
+    """Least distance between two convex outlines; 0 if they overlap."""
+    if not any(_parts(one, other) for one, other in ((first, second), (second, first))):
+        return 0.0
     gaps = []
     for points, polygon in ((first, second), (second, first)):
         start, along = polygon, np.roll(polygon, -1, axis=0) - polygon
         from_start = points[:, None] - start
-        side = along[:, 0] * from_start[..., 1] - along[:, 1] * from_start[..., 0]
-        if (side >= 0).all(axis=1).any():
-            return 0.0
         part = np.clip((from_start * along).sum(-1) / (along**2).sum(-1), 0, 1)
         gaps.append(np.linalg.norm(from_start - part[..., None] * along, axis=-1).min())
     return float(min(gaps))

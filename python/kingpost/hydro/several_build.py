@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+import re
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -26,7 +28,7 @@ from .build import (
     database_hull,
 )
 from .database import Provenance, Water
-from .overlap import check_apart, gaps_m
+from .overlap import check_apart, gaps_m, placed_triangles
 from .resolution import default_directions
 from .several import PlacedHull, SeveralHulls, reach_m
 from .several_mesh import Cluster, Member
@@ -45,6 +47,12 @@ SHELTERED = 1.5
 """k T from which a gap keeps its waves: exp(-2 k T) is a twentieth."""
 BELOW_SLOSHING = 0.9
 """Highest k over pi / g."""
+NAME = re.compile("[a-z][a-z0-9_]*")
+ADDED, QUICK = "frequencies added", "few frequencies"
+"""Beginnings of notes on the frequencies."""
+FACING = 2.0
+"""Length over which two hulls face each other, over the gap, from which the gap is a channel: waves in a
+shorter one leave at its ends."""
 HELD = "zero forward speed, loads of waves on each hull with all hulls held, matrices made symmetric"
 
 
@@ -76,9 +84,25 @@ def sloshing_rad_s(members: Sequence[Member], water: Water) -> float:
     found = np.inf
     for (one, other), gap in gaps_m(members).items():
         draught = min(members[k].hull.particulars.draught_m for k in (one, other))
-        if np.pi * draught / gap > SHELTERED:
+        faces = facing_m(*(members[k] for k in (one, other)))
+        if np.pi * draught / gap > SHELTERED and faces > FACING * gap:
             found = min(found, float(np.sqrt(BELOW_SLOSHING * np.pi / gap * water.gravity_m_s2)))
     return found
+
+
+def facing_m(one: Member, other: Member) -> float:
+    """Length over which two hulls face each other: that of both outlines, seen along the shortest way between
+    them."""
+    from scipy.spatial import KDTree
+
+    first, second = (corners[..., :2].reshape(-1, 2) for corners in placed_triangles([one, other]))
+    distances, nearest = KDTree(second).query(first)
+    at = int(distances.argmin())
+    way = second[nearest[at]] - first[at]
+    across = np.array([-way[1], way[0]]) / max(float(np.linalg.norm(way)), 1e-300)
+    low = max(float((points @ across).min()) for points in (first, second))
+    high = min(float((points @ across).max()) for points in (first, second))
+    return max(high - low, 0.0)
 
 
 def gap_warnings(members: Sequence[Member], highest_rad_s: float, water: Water) -> list[str]:
@@ -93,7 +117,9 @@ def gap_warnings(members: Sequence[Member], highest_rad_s: float, water: Water) 
                 f"of {size:.3g} m: use more panels"
             )
     limit = sloshing_rad_s(members, water)
-    if highest_rad_s > 1.01 * limit / np.sqrt(BELOW_SLOSHING):
+    if highest_rad_s > 0.99 * limit and highest_rad_s < 1.01 * limit:
+        found.append(f"the frequencies end at {highest_rad_s:.3g} rad/s, below those that slosh across a gap")
+    elif highest_rad_s > 1.01 * limit / np.sqrt(BELOW_SLOSHING):
         found.append(
             f"water sloshes across a gap between hulls from {limit:.3g} rad/s on, with resonances too sharp "
             "for panels"
@@ -152,7 +178,8 @@ def build_several(
     highest = float(frequencies_rad_s[-1])
     directions = directions or several_directions(members, highest, water)
     for one in members:
-        check_waves(one.hull, water, highest)
+        with _named(one):
+            check_waves(one.hull, water, highest)
     lids, notes = _lids(members, with_lid)
     cluster = Cluster.of(members, lids)
     check_count(cluster)
@@ -169,11 +196,26 @@ def check_members(members: Sequence[Member], water: Water) -> None:
         raise HydrodynamicsError("hulls", f"{len(members)}", "two or more")
     names = [one.name for one in members]
     for one in members:
-        if not one.name or names.count(one.name) > 1:
-            found = f"{one.name!r} for {max(names.count(one.name), 1)} hulls"
+        if names.count(one.name) > 1:
+            found = f"{one.name!r} for {names.count(one.name)} hulls"
             raise HydrodynamicsError("--name", found, "a name for each hull that no other has")
-        check_depth(one.hull, water)
+        if not NAME.fullmatch(one.name):
+            allowed = "a name that scenarios can use: small letters, digits and _, a letter first"
+            raise HydrodynamicsError("--name", repr(one.name), allowed)
+        with _named(one):
+            check_depth(one.hull, water)
     check_apart(members)
+
+
+@contextmanager
+def _named(one: Member) -> Iterator[None]:
+    """Name the hull in an error of it."""
+    try:
+        yield
+    except HydrodynamicsError as error:
+        raise HydrodynamicsError(
+            error.field, f"{one.name}: {error.found}", error.allowed, error.file
+        ) from None
 
 
 def check_count(cluster: Cluster) -> None:
@@ -185,7 +227,10 @@ def check_count(cluster: Cluster) -> None:
 
 
 def _lids(members: Sequence[Member], with_lid: bool | None) -> tuple[list[bool], tuple[str, ...]]:
-    chosen = [choose_lid(one.hull, with_lid) for one in members]
+    chosen = []
+    for one in members:
+        with _named(one):
+            chosen.append(choose_lid(one.hull, with_lid))
     notes = [f"{one.name}: {note}" for one, (_, some) in zip(members, chosen, strict=True) for note in some]
     return [has for has, _ in chosen], tuple(notes)
 
@@ -200,12 +245,19 @@ def _symmetric(database: SeveralHulls) -> SeveralHulls:
 
 
 def _added(found: SeveralCoefficients) -> tuple[str, ...]:
-    if not found.added_rad_s:
-        return ()
-    return (
-        f"{len(found.added_rad_s)} frequencies added from {found.added_rad_s[0]:g} to "
-        f"{found.added_rad_s[-1]:g} rad/s, where added mass or damping change quickly",
-    )
+    notes = []
+    if found.added_rad_s:
+        notes.append(
+            f"{ADDED}: {len(found.added_rad_s)}, from {found.added_rad_s[0]:g} to "
+            f"{found.added_rad_s[-1]:g} rad/s, where added mass or damping change quickly"
+        )
+    if found.quick is not None:
+        change, low, high = found.quick
+        notes.append(
+            f"{QUICK}: added mass or damping change by {change:.0%} of their peaks from {low:g} to {high:g} "
+            "rad/s; a resonance there may be missed"
+        )
+    return tuple(notes)
 
 
 def _attitudes(members: Sequence[Member]) -> tuple[str, ...]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import math
 import os
+import re
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -20,6 +21,8 @@ from .hull_options import count_of, hull_of, is_parametric, parse_frequencies, w
 from .partial import ENDING, Partial
 from .several import Place, SeveralHulls
 from .several_build import (
+    ADDED,
+    QUICK,
     build_several,
     check_count,
     check_members,
@@ -81,13 +84,14 @@ def run(options: argparse.Namespace) -> SeveralHulls:
     members = _members(options, panels)
     capytaine()
     check_members(members, water)
-    highest = _highest(members, water, frequencies)
+    every_one = several_frequencies(members, water) if frequencies is None else frequencies
+    highest = float(every_one[-1])
     directions = directions or several_directions(members, highest, water)
     for one in members:
         print(f"{one.name}\n{'place':<20}{one.place.described}\n{summary(one.hull, water)}\n")
     print(f"{'wave directions':<20}{directions}")
     warnings = [f"{one.name}: {remark}" for one in members for remark in one.hull.remarks]
-    warnings += [*gap_warnings(members, highest, water), *_unresolved(members, highest, directions, water)]
+    warnings += [*gap_warnings(members, highest, water), *_unresolved(members, every_one, directions, water)]
     warn(warnings)
     every = _announce(options, members, water, frequencies, directions)
     solved = "frequencies, infinity among them, are solved by the stopped run"
@@ -98,7 +102,7 @@ def run(options: argparse.Namespace) -> SeveralHulls:
     with progress.bar(every, "frequencies") as update:
         database = build_several(members, water, title, frequencies, directions, options.lid, update, partial)
     for note in database.provenance.notes:
-        if "added from" in note:
+        if note.startswith((ADDED, QUICK)):
             print(f"{'frequencies':<20}{len(database.frequencies_rad_s)}: {note}")
     database = fitted(warned_of(database, warnings), options, target, RESPONSE_SHARE)
     partial.done()
@@ -156,18 +160,26 @@ def _names(options: argparse.Namespace) -> list[str]:
         return options.name
     found: list[str] = []
     for text in options.hull:
-        stem = Path(text).stem if os.path.isfile(text) else text.partition(":")[0]
-        number = 1 + sum(one == stem or one.startswith(f"{stem} ") for one in found)
-        found.append(stem if number == 1 else f"{stem} {number}")
+        stem = plain_name(Path(text).stem if os.path.isfile(text) else text.partition(":")[0])
+        number = 1 + sum(one == stem or one.startswith(f"{stem}_") for one in found)
+        found.append(stem if number == 1 else f"{stem}_{number}")
     return found
 
 
-def _highest(members: list[Member], water: Water, frequencies: NDArray[np.float64] | None) -> float:
-    return float((several_frequencies(members, water) if frequencies is None else frequencies)[-1])
+def plain_name(text: str) -> str:
+    """A name for a hull that scenarios can use, from that of a file.
+
+    >>> plain_name("Barge-A 300 ft"), plain_name("2nd_boat")
+    ('barge_a_300_ft', 'hull_2nd_boat')
+    """
+    found = re.sub("[^a-z0-9]+", "_", text.lower()).strip("_")
+    return found if found[:1].isalpha() else f"hull_{found}".rstrip("_")
 
 
-def _unresolved(members: list[Member], highest: float, directions: int, water: Water) -> list[str]:
-    return resolution.warnings(extent_m(members), np.array([highest]), directions, water)
+def _unresolved(
+    members: list[Member], frequencies: NDArray[np.float64], directions: int, water: Water
+) -> list[str]:
+    return resolution.warnings(extent_m(members), frequencies, directions, water)
 
 
 def _announce(

@@ -45,7 +45,8 @@ SAME_ANGLE = 1e-9
 @dataclass(frozen=True)
 class SeveralCoefficients:
     """Results of the panel method: matrices as in `SeveralHulls`; forces (frequency, hull, direction, 6) in
-    each hull's axes, directions and phase. `added_rad_s`: the frequencies that were added."""
+    each hull's axes, directions and phase. `added_rad_s`: the frequencies that were added; `quick`: the
+    largest change between neighbours that is left, and both frequencies, if it is quick."""
 
     frequencies_rad_s: NDArray[np.float64]
     added_mass: NDArray[np.float64]
@@ -54,6 +55,7 @@ class SeveralCoefficients:
     froude_krylov: NDArray[np.complex128]
     diffraction: NDArray[np.complex128]
     added_rad_s: tuple[float, ...]
+    quick: tuple[float, float, float] | None
     solver: str
 
 
@@ -114,6 +116,7 @@ def solve_several(
         froude_krylov=np.array(incident),
         diffraction=forces,
         added_rad_s=tuple(sorted(added)),
+        quick=_quick_left(rows, infinite),
         solver=f"Capytaine {module.__version__}, direct boundary integral equation",
     )
 
@@ -150,22 +153,40 @@ def solved_directions(
     return np.mod(first, turn), index.reshape(wanted.shape)
 
 
-def _quickest(rows: dict[float, tuple[NDArray, ...]], infinite: NDArray[np.float64]) -> float | None:
-    """The frequency between the two neighbours with the quickest change; `None` if all changes are slow or
-    all such neighbours are near each other."""
+def _changes(
+    rows: dict[float, tuple[NDArray, ...]], infinite: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Frequencies, and the largest change of B or w A between each two neighbours, over the peaks."""
     omega = np.array(sorted(rows))
     memory = np.array([rows[w][1] + 1j * w * (rows[w][0] - infinite) for w in omega])
     peaks = np.abs(np.diagonal(memory, axis1=1, axis2=2)).max(axis=0)
     # Motions that hardly make waves, such as the yaw of a body of revolution, have noise for a peak.
     moving = peaks > 1e-3 * np.abs(np.diagonal(infinite)) * omega[-1]
     scaled = (memory / np.sqrt(np.outer(peaks, peaks) + 1e-300))[:, moving][:, :, moving]
-    change = np.abs(np.diff(scaled, axis=0)).max(axis=(1, 2), initial=0.0)
+    return omega, np.abs(np.diff(scaled, axis=0)).max(axis=(1, 2), initial=0.0)
+
+
+def _quickest(rows: dict[float, tuple[NDArray, ...]], infinite: NDArray[np.float64]) -> float | None:
+    """The frequency between the two neighbours with the quickest change; `None` if all changes are slow or
+    all such neighbours are near each other."""
+    omega, change = _changes(rows, infinite)
     apart = np.diff(omega) / omega[1:] > 2 * NARROWEST
     change[~apart] = 0.0
     at = int(change.argmax())
     if change[at] <= QUICK_CHANGE:
         return None
     return float(f"{0.5 * (omega[at] + omega[at + 1]):.6g}")
+
+
+def _quick_left(
+    rows: dict[float, tuple[NDArray, ...]], infinite: NDArray[np.float64]
+) -> tuple[float, float, float] | None:
+    """The quickest change between neighbours with both frequencies; `None` if it is slow."""
+    if len(rows) < 2:
+        return None
+    omega, change = _changes(rows, infinite)
+    at = int(change.argmax())
+    return (float(change[at]), float(omega[at]), float(omega[at + 1])) if change[at] > QUICK_CHANGE else None
 
 
 class ClusterFlow(Flow):

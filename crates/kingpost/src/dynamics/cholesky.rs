@@ -1,5 +1,4 @@
-//! Cholesky factorisation in the order of the rows: of J M*^-1 J^T, row by row of its constraints, and of the inertia of coupled
-//! roots.
+//! Cholesky factorisation in the order of the rows: those of constraints in J M*^-1 J^T, or those of coupled roots.
 //!
 //! The order is fixed and not chosen by the magnitude of the pivots, so a vanishing pivot identifies the first
 //! constraint that depends on those before it.

@@ -23,6 +23,7 @@ pub mod dynamic_positioning;
 mod element;
 pub mod flow;
 pub mod free_flooding_tank;
+pub mod gangway;
 pub mod gas_spring;
 pub mod gravity;
 pub mod hull;

@@ -61,7 +61,9 @@ impl LoadedHull<'_> {
         let Some(waves) = self.world.waves.as_ref().filter(|_| self.hull.excitation.is_some()) else {
             return Vec::new();
         };
-        let (count, length) = (self.database.wave_directions_rad.len(), self.database.hull.length_m);
+        let count = self.database.wave_directions_rad.len();
+        // Waves that other hulls scatter come from farther off.
+        let length = self.database.hull.length_m.max(2.0 * self.database.reach_m);
         let shortest_m = core::f64::consts::TAU * length / count as f64;
         let energy = |counts: &dyn Fn(f64) -> bool| -> f64 {
             let waves = waves.components().filter(|wave| counts(wave.wave_number_per_m));
@@ -72,8 +74,10 @@ impl LoadedHull<'_> {
             return Vec::new();
         }
         let body = &self.model.bodies[self.hull.frame.body].name;
+        let is_alone = length <= self.database.hull.length_m;
+        let what = if is_alone { "its length" } else { "twice its distance to the rim of the hulls beside it," };
         vec![format!(
-            "{body}: {count} wave directions of its database resolve waves of {shortest_m:.1} m and longer for its length of {length:.1} m: \
+            "{body}: {count} wave directions of its database resolve waves of {shortest_m:.1} m and longer for {what} of {length:.1} m: \
              {:.1} % of the waves' energy is in shorter waves, whose loads are inaccurate at headings between the directions (warned of \
              beyond {:.0} %)",
             100.0 * share,

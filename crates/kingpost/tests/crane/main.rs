@@ -17,6 +17,7 @@ mod controllers;
 mod cylinder_compensators;
 mod cylinders;
 mod entrained_water;
+mod gangways;
 mod heave_compensation;
 mod heave_forecast;
 mod inertial_unit;

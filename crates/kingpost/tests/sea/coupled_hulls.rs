@@ -158,9 +158,9 @@ fn three_hulls_lose_energy_to_the_water_and_the_ledger_closes() {
     let mut simulation = simulate(&read(&places, -0.45, &pushed(-1.0)));
     let total = |simulation: &mut Simulation| {
         let of = |simulation: &mut Simulation, variable: &str| values(simulation, variable).iter().sum::<f64>();
+        // The kinetic energy contains that of each hull's own added mass.
         of(simulation, "kinetic_energy")
             + of(simulation, "potential_energy")
-            + of(simulation, "water_kinetic_energy")
             + of(simulation, "interaction_kinetic_energy")
     };
     let start = total(&mut simulation);
@@ -199,11 +199,18 @@ fn refuses_a_database_whose_hulls_are_not_those_of_the_scenario() {
         (&format!("{second}.enabled"), json!(false), "a database of first, second, of which second is disabled"),
         (&format!("{second}.radiation"), json!(false), "found false, allowed: true, as in forces.first_water"),
         (&format!("{second}.added_mass"), json!(false), "found false, allowed: true, as in forces.first_water"),
+        (&format!("{second}.excitation"), json!(false), "found false, allowed: true, as in forces.first_water"),
         ("bodies.second.joint.floating.hold_rotation", json!(true), "whose joint second is held"),
     ] {
         let found = of(&[(field, value)]);
         assert!(found.contains(expected), "{field}: {found}");
     }
+    let on_one = [(hull.as_str(), json!("second")), ("forces.second_water.hydrodynamics.body", json!("first"))];
+    assert!(
+        of(&on_one).contains("first, the body of forces.first_water, allowed: a body for each hull"),
+        "{}",
+        of(&on_one)
+    );
     let third = barges::database(&[APART[0], APART[1], [50.0, 0.0, 0.0]], SHARE);
     assert!(error(&text, third, &[]).contains("of which third has no hydrodynamics here"));
     let renamed = several.replace("\"second\"", "\"boat\"");
@@ -236,10 +243,15 @@ fn refuses_a_file_of_several_hulls_that_is_damaged() {
         (&|file| drop(file["hulls"].as_array_mut().map(|hulls| hulls.pop())), "two hulls or more"),
         (&|file| drop(file["radiation"]["modes"].as_array_mut().map(|modes| modes.pop())), "radiation.modes"),
         (&|file| file["unknown"] = json!(1), "unknown field `unknown`"),
+        (&|file| file["hulls"][1]["name"] = json!("Barge 2"), "hulls.1.name: Barge 2, allowed"),
+        (&|file| file["frequencies_rad_s"][3] = json!(0.01), "barges.hydro.json: frequencies_rad_s"),
     ] {
         let found = spoilt(change);
         assert!(found.contains(expected), "{expected}: {found}");
     }
+    let whole = whole.to_string();
+    let found = error(&text, whole[..whole.len() / 2].to_owned(), &[]);
+    assert!(found.contains("EOF") && !found.contains("unknown field"), "{found}");
     let generating = barges::database(&APART, 1.3);
     let found = error(&text, generating, &[]);
     assert!(found.contains("an eigenvalue of"), "{found}");

@@ -1,12 +1,12 @@
 //! Forces between the hulls of one database: added mass and radiated waves.
 
 use super::coordinates::{Seen, States};
-use super::{HullSpacing, QuadraticTerms, Radiation, WaveCoordinates, of_modes};
+use super::{HullSpacing, Radiation, WaveCoordinates, of_modes};
 use crate::dynamics::Loads;
 use crate::elements::{AnyWatcher, Context, Declaration, Element, Output, VectorFrame};
 use crate::scalar::Scalar;
 use crate::sea::database::SixBySix;
-use crate::spatial::{CrossInertia, Matrix3, Wrench};
+use crate::spatial::{CrossInertia, Frame, Matrix3, Wrench};
 
 /// Hulls that feel each other through the water, to first order in the motions.
 ///
@@ -21,8 +21,8 @@ use crate::spatial::{CrossInertia, Matrix3, Wrench};
 /// the rows and columns of all hulls). Each hull keeps the states of the waves that it
 /// radiates; here they act on the others. Each hull's axes are its own, so a hull that drifts or turns a little takes its
 /// coefficients with it. The momentum of the water, `A_ij` times the velocity of hull j, turns with hull i as that of its own
-/// added mass does ([`AddedMass`](super::AddedMass)). The attraction of hulls that move slowly side by side, the derivative of A with respect to
-/// their places, is left out.
+/// added mass does ([`AddedMass`](super::AddedMass)). The attraction of hulls that move slowly side by side, the derivative of A
+/// with respect to their places, is left out.
 #[derive(Clone, Debug)]
 pub struct HullInteraction<S: Scalar = f64> {
     hulls: Vec<CoupledHull<S>>,
@@ -30,6 +30,8 @@ pub struct HullInteraction<S: Scalar = f64> {
     /// By the hull on which the waves act and the hull that radiates them.
     memory: Vec<([usize; 2], Radiation)>,
     spacings: Vec<HullSpacing>,
+    /// Kinetic energies, by hull.
+    energies: Vec<S>,
     /// The hulls at the moment of the last evaluation.
     seen: Vec<Seen<S>>,
     forces: Vec<[S; 6]>,
@@ -42,8 +44,10 @@ pub struct CoupledHull<S = f64> {
     pub name: String,
     /// The coordinates of its wave loads.
     pub coordinates: WaveCoordinates<S>,
-    /// Quadratic terms of the added mass that act.
-    pub quadratic_terms: QuadraticTerms,
+    /// Whether waves act on it.
+    pub in_waves: bool,
+    /// Whether it has the memory of radiated waves: its added mass is then that of its average attitude.
+    pub remembers: bool,
 }
 
 /// Added mass between two hulls, in the axes of their coefficients.
@@ -82,7 +86,8 @@ impl<S: Scalar> HullInteraction<S> {
         };
         let added_mass = added_mass.iter().map(between).collect();
         let (seen, forces) = (Vec::with_capacity(hulls.len()), vec![[S::ZERO; 6]; hulls.len()]);
-        Self { hulls, added_mass, memory, spacings, seen, forces }
+        let energies = vec![S::ZERO; hulls.len()];
+        Self { hulls, added_mass, memory, spacings, energies, seen, forces }
     }
 
     fn see(&mut self, at: &Context<'_, S>) {
@@ -107,10 +112,9 @@ impl<S: Scalar> HullInteraction<S> {
     /// Adds the inertia between two hulls, and the loads by which the forces of the water differ from those of Kirchhoff's
     /// equations with it.
     fn couple(&self, at: &Context<'_, S>, added: &AddedBetween<S>, loads: &mut Loads<S>) {
-        let pair = added.pair;
-        let in_waves = pair.iter().any(|hull| self.hulls[*hull].quadratic_terms.of_slow_motion);
-        let (in_bodies, [on_first, on_second]) =
-            if in_waves { self.in_waves(at, added) } else { self.in_current(at, added) };
+        let (pair, in_bodies) = (added.pair, self.in_bodies(added));
+        let [on_first, on_second] =
+            if self.is_in_waves() { self.in_waves(at, added) } else { self.in_current(at, added, &in_bodies) };
         let [first, second] = pair.map(|hull| &self.seen[hull].twist);
         let on_first = first.cross_momentum(&in_bodies.times(second)) - on_first;
         let on_second = second.cross_momentum(&in_bodies.transpose_times(first)) - on_second;
@@ -119,37 +123,53 @@ impl<S: Scalar> HullInteraction<S> {
         loads.added_inertia_between.push((pair.map(|hull| self.body(hull)), in_bodies));
     }
 
-    /// Returns the inertia between the bodies, `T_1^T A T_2`, and minus the velocity terms of the loads: of the first
-    /// `T_1^T (A T_2' nu_2 + Q)`, with Q of the slow velocities as in the hull's own added mass.
-    fn in_waves(&self, at: &Context<'_, S>, added: &AddedBetween<S>) -> (CrossInertia<S>, [Wrench<S>; 2]) {
-        let AddedBetween { pair, infinite, slow } = added;
-        let [first, second] = pair.map(|hull| &self.seen[hull]);
-        let in_bodies =
-            CrossInertia::from_columns(|twist| first.axes.wrench_to_body(&infinite.times(&second.axes.rates(twist))));
-        let [by_first, by_second] = [first, second].map(|seen| seen.axes.drift(&seen.twist, seen.off[1]));
-        let [one, other] = pair.map(|hull| self.hulls[hull].coordinates.slowly(&at.of_other(hull)));
-        let terms = pair.map(|hull| self.hulls[hull].quadratic_terms);
-        let on_first = infinite.times(&by_second) + terms[0].of(&one.relative, &slow.times(&other.relative))
-            - slow.times(&other.turned);
-        let on_second = infinite.transpose_times(&by_first)
-            + terms[1].of(&other.relative, &slow.transpose_times(&one.relative))
-            - slow.transpose_times(&one.turned);
-        (in_bodies, [first.axes.wrench_to_body(&on_first), second.axes.wrench_to_body(&on_second)])
+    fn is_in_waves(&self) -> bool {
+        self.hulls.iter().any(|hull| hull.in_waves)
     }
 
-    /// Returns the inertia between the bodies at their average attitudes, and minus the velocity terms of the loads: of the
-    /// first `A omega_2 x R_2^T u + nu_r1 x* A_0 nu_r2`, with the current u.
-    fn in_current(&self, at: &Context<'_, S>, added: &AddedBetween<S>) -> (CrossInertia<S>, [Wrench<S>; 2]) {
+    /// Returns the inertia between two bodies: `T_1^T A T_2` in waves, otherwise A at the hulls' average attitudes.
+    fn in_bodies(&self, added: &AddedBetween<S>) -> CrossInertia<S> {
+        let AddedBetween { pair, infinite, .. } = added;
+        if self.is_in_waves() {
+            let [first, second] = pair.map(|hull| &self.seen[hull].axes);
+            return CrossInertia::from_columns(|twist| first.wrench_to_body(&infinite.times(&second.rates(twist))));
+        }
+        let [first, second] = pair.map(|hull| self.coefficients_in_body(hull));
+        infinite.to_parents(&first, &second)
+    }
+
+    /// Returns the axes of a hull's coefficients on its body, without waves.
+    fn coefficients_in_body(&self, hull: usize) -> Frame<S> {
+        let CoupledHull { coordinates, remembers, .. } = &self.hulls[hull];
+        let on = &coordinates.coefficients;
+        if *remembers { self.seen[hull].axes.level_in_body(on) } else { on.in_body }
+    }
+
+    /// Returns minus the velocity terms of the loads in waves: of the first `T_1^T (A T_2' nu_2 + Q)`, with Q of the slow
+    /// velocities as in the hull's own added mass. A table of current coefficients does not contain Munk's moment of this Q.
+    fn in_waves(&self, at: &Context<'_, S>, added: &AddedBetween<S>) -> [Wrench<S>; 2] {
         let AddedBetween { pair, infinite, slow } = added;
-        let [first, second] =
-            pair.map(|hull| self.seen[hull].axes.level_in_body(&self.hulls[hull].coordinates.coefficients));
-        let (in_bodies, slow) = (infinite.to_parents(&first, &second), slow.to_parents(&first, &second));
-        let [one, other] = pair.map(|hull| self.hulls[hull].coordinates.in_stream(at, &self.seen[hull].twist));
-        let terms = pair.map(|hull| self.hulls[hull].quadratic_terms);
-        let on_first = in_bodies.times(&other.turned) + terms[0].of(&one.relative, &slow.times(&other.relative));
-        let on_second =
-            in_bodies.transpose_times(&one.turned) + terms[1].of(&other.relative, &slow.transpose_times(&one.relative));
-        (in_bodies, [on_first, on_second])
+        let [first, second] = pair.map(|hull| &self.seen[hull]);
+        let [by_first, by_second] = [first, second].map(|seen| seen.axes.drift(&seen.twist, seen.off[1]));
+        let [one, other] = pair.map(|hull| self.hulls[hull].coordinates.slowly(&at.of_other(hull)));
+        let on_first = infinite.times(&by_second) + one.relative.cross_momentum(&slow.times(&other.relative))
+            - slow.times(&other.turned);
+        let on_second = infinite.transpose_times(&by_first)
+            + other.relative.cross_momentum(&slow.transpose_times(&one.relative))
+            - slow.transpose_times(&one.turned);
+        [first.axes.wrench_to_body(&on_first), second.axes.wrench_to_body(&on_second)]
+    }
+
+    /// Returns minus the velocity terms of the loads in a current u: of the first `A omega_2 x R_2^T u + nu_r1 x* A_0 nu_r2`.
+    fn in_current(&self, at: &Context<'_, S>, added: &AddedBetween<S>, in_bodies: &CrossInertia<S>) -> [Wrench<S>; 2] {
+        let [first, second] = added.pair.map(|hull| self.coefficients_in_body(hull));
+        let slow = added.slow.to_parents(&first, &second);
+        let [one, other] = added.pair.map(|hull| self.hulls[hull].coordinates.in_stream(at, &self.seen[hull].twist));
+        [
+            in_bodies.times(&other.turned) + one.relative.cross_momentum(&slow.times(&other.relative)),
+            in_bodies.transpose_times(&one.turned)
+                + other.relative.cross_momentum(&slow.transpose_times(&one.relative)),
+        ]
     }
 
     /// Adds a load on a hull's body, and its work.
@@ -181,15 +201,15 @@ impl<S: Scalar> Element<S> for HullInteraction<S> {
     fn outputs(&mut self, at: &Context<'_, S>, out: &mut Vec<S>) {
         self.see(at);
         self.remember(at);
-        let mut energies = vec![S::ZERO; self.hulls.len()];
-        for AddedBetween { pair, infinite, .. } in &self.added_mass {
-            let [one, other] = pair.map(|hull| self.seen[hull].axes.rates(&self.seen[hull].twist));
-            let half = infinite.times(&other).dot(&one) * S::constant(0.5);
-            pair.iter().for_each(|hull| energies[*hull] += half);
+        self.energies.fill(S::ZERO);
+        for added in &self.added_mass {
+            let [first, second] = added.pair.map(|hull| &self.seen[hull].twist);
+            let half = self.in_bodies(added).times(second).dot(first) * S::constant(0.5);
+            added.pair.iter().for_each(|hull| self.energies[*hull] += half);
         }
-        for (forces, energy) in self.forces.iter().zip(energies) {
+        for (forces, energy) in self.forces.iter().zip(&self.energies) {
             out.extend(forces);
-            out.push(energy);
+            out.push(*energy);
         }
     }
 

@@ -119,7 +119,7 @@ pub struct Hull<S = f64> {
     pub wave_pressure: Option<Box<MeshInWaves<S>>>,
     /// The rectangle around its waterline.
     pub plan: Plan,
-    /// The other bodies whose hulls it feels, by the coupling of its database.
+    /// Bodies of the other hulls in its database.
     pub feels: Vec<usize>,
     /// Its watchers.
     pub watchers: Vec<AnyWatcher>,

@@ -62,7 +62,9 @@ impl HullSpacing {
         };
         let gap = first.plan.distance_to(at(first), &second.plan, at(second));
         let length = first.plan.length().max(second.plan.length());
-        (LARGEST_SHARE_OF_GAP * gap).min(LARGEST_SHARE_OF_LENGTH * length)
+        let of_length = LARGEST_SHARE_OF_LENGTH * length;
+        // Rectangles around hulls that reach around each other overlap.
+        if gap > 0.0 { of_length.min(LARGEST_SHARE_OF_GAP * gap) } else { of_length }
     }
 }
 
@@ -105,7 +107,7 @@ impl Watcher for HullSpacing {
         let distance = (off_m > bound_m).then(|| {
             let text = format!(
                 "was on average {} m from the place relative to {other} for which their database was made, which holds for {} m: \
-                 shelter, gap resonance and phases are those of the other place; kingpost hydro --of computes them for this one",
+                 shelter, gap resonance and phases are those of the other place; kingpost hydro with --at computes them for this one",
                 significant(off_m, 3),
                 significant(bound_m, 2)
             );
@@ -121,5 +123,35 @@ impl Watcher for HullSpacing {
             Warning::exceeded("hull_off_data_heading", self.last_s, body, numbers, text)
         });
         distance.into_iter().chain(heading).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Origins off the centres of mass: the places of the data are those of the origins, in any common frame.
+    #[test]
+    fn hulls_at_the_place_of_their_data_are_not_warned_of() {
+        let plan = Plan { along: [-10.0, 10.0], across: [-5.0, 5.0] };
+        let hull =
+            |body: &str, origin_m: [f64; 3], place: [f64; 3]| SpacedHull { body: body.into(), plan, origin_m, place };
+        let (first, second) = ([2.0, -1.0, 0.0], [-3.0, 0.5, 0.0]);
+        let mut watcher =
+            HullSpacing::new([hull("ship", first, [4.0, 5.0, 0.3]), hull("barge", second, [1.0, 20.0, 2.0])]);
+        // The common frame of the data turned by 1.1 rad and moved by (7, -2); bodies at their centres of mass.
+        let centre = |[x, y, heading]: [f64; 3], origin: [f64; 3]| {
+            let ((sin, cos), yaw) = (libm::sincos(1.1), heading + 1.1);
+            let at = [7.0 + cos * x - sin * y, -2.0 + sin * x + cos * y];
+            let (sin, cos) = libm::sincos(yaw);
+            [at[0] - cos * origin[0] + sin * origin[1], at[1] - sin * origin[0] - cos * origin[1], yaw]
+        };
+        let [one, other] = [centre([4.0, 5.0, 0.3], first), centre([1.0, 20.0, 2.0], second)];
+        watcher.see(0.0, &[one, other].concat());
+        assert!(watcher.sums.iter().all(|sum| sum.abs() < 1e-13), "{:?}", watcher.sums);
+        assert!(watcher.warnings().is_empty());
+        watcher.see(1.0, &[one, [other[0] + 8.0, other[1], other[2] + 0.4]].concat());
+        let codes: Vec<&str> = watcher.warnings().iter().map(|warning| warning.code).collect();
+        assert_eq!(codes, ["hull_off_data_place", "hull_off_data_heading"]);
     }
 }

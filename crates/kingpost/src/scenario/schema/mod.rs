@@ -53,6 +53,7 @@ pub use crate::elements::dynamic_positioning::fields::{
 };
 pub use crate::elements::flow::fields::{CurrentAtDepth, CurrentLoad, CurrentSpeed, FlowCoefficients, WindLoad};
 pub use crate::elements::free_flooding_tank::fields::{AirPump, FreeFloodingTank};
+pub use crate::elements::gangway::fields::Gangway;
 pub use crate::elements::gas_spring::fields::GasSpring;
 pub use crate::elements::gravity::fields::Gravity;
 pub use crate::elements::hull::fields::{Hydrodynamics, Hydrostatics};

@@ -3,11 +3,11 @@
 use kingpost_derive::fields;
 
 use super::{
-    AirGap, Clearance, Encoder, InertialUnit, LinearEncoder, LoadCell, MotionReferenceUnit, SatelliteReceiver,
+    AirGap, Clearance, Encoder, Gangway, InertialUnit, LinearEncoder, LoadCell, MotionReferenceUnit, SatelliteReceiver,
     SignalName, SwingEstimator, yes,
 };
 
-/// Sensors. Clearances and air gaps are measured in every row of the results, the others at their own interval.
+/// Sensors. Clearances, air gaps and gangways are measured in every row of the results, the others at their own interval.
 // `assembled`: each kind assembles its elements in its room, by `Assemble` in `elements/KIND/assembly.rs`.
 #[fields(assembled)]
 pub enum Sensor<S = f64> {
@@ -29,6 +29,8 @@ pub enum Sensor<S = f64> {
     Clearance(Clearance<S>),
     /// The height of a point above the surface of the sea.
     AirGap(AirGap<S>),
+    /// Stroke and angles of a gangway between two bodies.
+    Gangway(Gangway<S>),
 }
 
 /// A connection from a sampled output to an input, which keeps each sample until the next. Both have the same unit.

@@ -154,7 +154,7 @@ fn sizes(database: &Database) -> Option<[(&'static str, f64, f64); 2]> {
 /// and its acceleration.
 fn check_heave(database: &Database) -> Checked {
     let (hull, water, omega) = (&database.hull, &database.water, database.frequencies_rad_s[0]);
-    let extent = hull.length_m.max(hull.draught_m);
+    let extent = hull.length_m.max(hull.draught_m).max(2.0 * database.reach_m);
     let heave = libm::sqrt(database.squares_at(0)[2] / database.wave_directions_rad.len() as f64);
     if wave_number(omega, &waves_water(database)) * extent > LONG || heave == 0.0 {
         return Ok(());

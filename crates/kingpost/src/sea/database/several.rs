@@ -50,6 +50,9 @@ pub struct CouplingBlock {
     pub radiation: Option<RadiationModel>,
 }
 
+/// Fields that the hulls of a file share.
+const SHARED: [&str; 3] = ["water", "frequencies_rad_s", "wave_directions_rad"];
+
 #[derive(Deserialize)]
 struct FileVersion {
     version: u32,
@@ -112,6 +115,7 @@ impl HydrodynamicData {
     pub fn read(text: &str) -> Result<Self, DatabaseError> {
         match serde_json::from_str(text) {
             Ok(FileVersion { version: 2 }) => Self::read_several(text),
+            Err(error) if error.is_syntax() || error.is_eof() => Err(unreadable(&error)),
             _ => Ok(Self { hulls: vec![Arc::new(Database::read(text)?)], coupling: None }),
         }
     }
@@ -131,7 +135,7 @@ impl HydrodynamicData {
         Ok(Self { hulls: hulls.into_iter().map(Arc::new).collect(), coupling: Some(Arc::new(coupling)) })
     }
 
-    /// Returns a hull by its name, or that of a file of one hull without a name, with its place among the hulls.
+    /// Returns a hull by its name, with its place among the hulls; the hull of a file of one has every name.
     pub fn hull(&self, name: &str) -> Option<(usize, &Arc<Database>)> {
         let place = match &self.coupling {
             None => Some(0),
@@ -146,6 +150,12 @@ impl HydrodynamicData {
     }
 }
 
+/// Returns whether a scenario can name it.
+fn is_name(name: &str) -> bool {
+    let is_part = |letter: char| letter.is_ascii_lowercase() || letter.is_ascii_digit() || letter == '_';
+    name.starts_with(|first: char| first.is_ascii_lowercase()) && name.chars().all(is_part)
+}
+
 impl SeveralHulls {
     fn check_shapes(&self) -> Result<(), DatabaseError> {
         let (count, size) = (self.hulls.len(), 6 * self.hulls.len());
@@ -155,8 +165,8 @@ impl SeveralHulls {
             let is_finite = [x_m, y_m, heading_rad].iter().all(|x| x.is_finite());
             unless(is_finite, &format!("hulls.{k}.place"), "a number that is not finite", "finite numbers")?;
             let is_new = self.hulls[..k].iter().all(|other| other.name != record.name);
-            let allowed = "a name for each hull, each once";
-            unless(is_new && !record.name.is_empty(), &format!("hulls.{k}.name"), &record.name, allowed)?;
+            let allowed = "a name for each hull, each once, of small letters, digits and _, a letter first";
+            unless(is_new && is_name(&record.name), &format!("hulls.{k}.name"), &record.name, allowed)?;
         }
         let fits = |matrix: &Matrix| {
             matrix.len() == size

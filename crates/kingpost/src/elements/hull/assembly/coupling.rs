@@ -80,7 +80,8 @@ pub fn interaction<S: Scalar>(
     let coupled = forces.iter().zip(hulls).map(|(force, hull)| CoupledHull {
         name: force.name.to_owned(),
         coordinates: hull.coordinates.clone(),
-        quadratic_terms: hull.quadratic_terms,
+        in_waves: hull.quadratic_terms.of_slow_motion,
+        remembers: hull.radiation.is_some(),
     });
     let spaced = |k: usize| {
         let place = &coupling.places[forces[k].place];
@@ -108,6 +109,10 @@ fn check_forces<S: Scalar>(
             let found = format!("{}, as forces.{}", coupling.places[force.place].name, other.name);
             return Err(FieldError::new(force.field("hull"), found, "each hull of a database once"));
         }
+        if let Some(other) = hulls[..k].iter().find(|other| other.frame.body == hull.frame.body) {
+            let found = format!("{}, the body of forces.{}", force.given.body, other.name);
+            return Err(FieldError::new(force.field("body"), found, "a body for each hull of a database"));
+        }
         check_floats(model, force, hull.frame.body)?;
         check_like(force, &forces[0])?;
     }
@@ -127,7 +132,9 @@ fn check_floats<S>(model: &Model<S>, force: &CoupledForce<'_, S>, body: usize) -
 
 /// Checks that a hull has the forces that the first has: what one leaves out, no other can feel.
 fn check_like<S>(force: &CoupledForce<'_, S>, first: &CoupledForce<'_, S>) -> Result<(), FieldError> {
-    let parts = |given: &Hydrodynamics<S>| [("added_mass", given.added_mass), ("radiation", given.radiation)];
+    let parts = |given: &Hydrodynamics<S>| {
+        [("added_mass", given.added_mass), ("radiation", given.radiation), ("excitation", given.excitation)]
+    };
     for ((what, own), (_, of_first)) in parts(force.given).into_iter().zip(parts(first.given)) {
         if own != of_first {
             let allowed = format!("{of_first}, as in forces.{}: one for all hulls of the database", first.name);

@@ -163,8 +163,8 @@ fn floating_body<S: Quantity>(
 /// of mass.
 pub(crate) fn memory_of_slow_motions<S: Quantity>(scenario: &Scenario<S>, body: &str) -> SpatialInertia<S> {
     let hulls = scenario.forces.values().filter_map(hydrodynamics_of);
-    let recoupled = |given: &&schema::Hydrodynamics<S>| given.enabled && given.radiation && *given.body == *body;
-    hulls.filter(recoupled).fold(SpatialInertia::default(), |sum, given| {
+    let remembers = |given: &&schema::Hydrodynamics<S>| given.enabled && given.radiation && *given.body == *body;
+    hulls.filter(remembers).fold(SpatialInertia::default(), |sum, given| {
         let Some(database) = scenario.files.database(&given.database, given.name_in_database()) else { return sum };
         let Some(fitted) = &database.radiation else { return sum };
         let origin = from_centre(scenario, body, Vector3(given.origin_m));
@@ -270,11 +270,9 @@ fn excitation<S: Quantity>(
 ) -> Result<Option<WaveExcitation<S>>, FieldError> {
     if given.wave_drift && database.mean_drift.is_none() {
         let found = "true, with a database without mean drift";
-        return Err(FieldError::new(
-            field("wave_drift"),
-            found,
-            "false, or a database made by kingpost hydro --loading",
-        ));
+        let is_alone = database.reach_m == 0.0;
+        let allowed = if is_alone { "false, or a database made by kingpost hydro --loading" } else { "false" };
+        return Err(FieldError::new(field("wave_drift"), found, allowed));
     }
     if given.wave_pressure && !database.has_froude_krylov() {
         let found = "true, with a database that does not separate Froude-Krylov force and diffraction";
