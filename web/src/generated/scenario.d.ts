@@ -3961,7 +3961,7 @@ export type Cylinder = {
   stop_dissipation_s_per_m?: number;
 };
 /**
- * Sensors. Clearances and air gaps are measured in every row of the results, the others at their own interval.
+ * Sensors. Clearances, air gaps and gangways are measured in every row of the results, the others at their own interval.
  *
  * This interface was referenced by `undefined`'s JSON-Schema definition
  * via the `patternProperty` "^[a-z][a-z0-9_]*$".
@@ -3993,6 +3993,9 @@ export type Sensor =
     }
   | {
       air_gap: AirGap;
+    }
+  | {
+      gangway: Gangway;
     };
 /**
  * Errors of a measured angle.
@@ -4250,6 +4253,67 @@ export type ClearanceFrom1 = {
    * The solid; without it, the distance is to the point.
    */
   shape?: ClearanceShape | null;
+};
+/**
+ * A telescopic gangway from its pedestal on one body to its landing point on another: stroke, luff and slew in the results, and
+ * a warning when the run leaves its operating range. It exerts no force: its own weight and actuators are left out.
+ */
+export type Gangway = {
+  [k: string]: unknown;
+} & {
+  /**
+   * Whether the gangway is measured.
+   */
+  enabled?: boolean;
+  pedestal: Pin6;
+  landing: Pin7;
+  /**
+   * Direction of the gangway at slew 0 in the axes of the pedestal's body: angle from its x axis to its y axis, rad.
+   */
+  heading_rad?: number;
+  /**
+   * The same as `heading_rad`, in the unit of this name.
+   */
+  heading_deg?: number;
+  /**
+   * Length from the pedestal to the tip at stroke 0, m.
+   */
+  length_m: number;
+  /**
+   * Smallest and largest stroke of the telescope, m; negative when it is shorter than `length_m`.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  stroke_limits_m: [number, number];
+  /**
+   * Smallest and largest luff angle, up from the plane of the pedestal's x and y axes, rad.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  luff_limits_rad?: [number, number];
+  /**
+   * The same as `luff_limits_rad`, in the unit of this name.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  luff_limits_deg?: [number, number];
+  /**
+   * Smallest and largest slew angle from `heading_rad`, counter-clockwise, rad.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  slew_limits_rad?: [number, number];
+  /**
+   * The same as `slew_limits_rad`, in the unit of this name.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  slew_limits_deg?: [number, number];
 };
 /**
  * Controller between a command, of a user or of the operation, and an input. Its own command is an input with its
@@ -6414,6 +6478,38 @@ export interface AirGap {
   point?: string | null;
   /**
    * The point in the body's drawing frame, m; measured from the named point if one is given.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+}
+/**
+ * A point on a body, or in the world.
+ */
+export interface Pin6 {
+  /**
+   * The body, or `world`.
+   */
+  body: string;
+  /**
+   * The point in the body's drawing frame, m.
+   *
+   * @minItems 3
+   * @maxItems 3
+   */
+  position_m?: [number, number, number];
+}
+/**
+ * A point on a body, or in the world.
+ */
+export interface Pin7 {
+  /**
+   * The body, or `world`.
+   */
+  body: string;
+  /**
+   * The point in the body's drawing frame, m.
    *
    * @minItems 3
    * @maxItems 3

@@ -21,7 +21,7 @@ pub struct OperatingRange {
 }
 
 /// A quantity: its column, its code, its name in words, its unit and the factor to it.
-struct Watched {
+struct RangeColumn {
     column: &'static str,
     code: &'static str,
     what: &'static str,
@@ -30,10 +30,10 @@ struct Watched {
 }
 
 const DEG: f64 = 180.0 / core::f64::consts::PI;
-const WATCHED: [Watched; 3] = [
-    Watched { column: "gangway_stroke", code: "gangway_stroke", what: "stroke", unit: "m", factor: 1.0 },
-    Watched { column: "gangway_luff", code: "gangway_luff", what: "luff angle", unit: "deg", factor: DEG },
-    Watched { column: "gangway_slew", code: "gangway_slew", what: "slew angle", unit: "deg", factor: DEG },
+const WATCHED: [RangeColumn; 3] = [
+    RangeColumn { column: "gangway_stroke", code: "gangway_stroke", what: "stroke", unit: "m", factor: 1.0 },
+    RangeColumn { column: "gangway_luff", code: "gangway_luff", what: "luff angle", unit: "deg", factor: DEG },
+    RangeColumn { column: "gangway_slew", code: "gangway_slew", what: "slew angle", unit: "deg", factor: DEG },
 ];
 
 impl OperatingRange {
@@ -59,8 +59,8 @@ impl Watcher for OperatingRange {
     }
 
     fn warnings(&self) -> Vec<Warning> {
-        let of = |(watched, worst): (&Watched, &Option<[f64; 3]>)| {
-            let Watched { code, what, unit, factor, .. } = *watched;
+        let of = |(watched, worst): (&RangeColumn, &Option<[f64; 3]>)| {
+            let RangeColumn { code, what, unit, factor, .. } = *watched;
             let [value, bound, time_s] = (*worst)?;
             let [value, bound] = [value, bound].map(|number| number * factor);
             let text = format!(

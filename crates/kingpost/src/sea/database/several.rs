@@ -126,9 +126,12 @@ impl HydrodynamicData {
         file.check_shapes()?;
         let hulls: Vec<Database> = (0..file.hulls.len()).map(|hull| file.of(hull)).collect();
         for (record, database) in file.hulls.iter().zip(&hulls) {
-            check::check_hull(database)
-                .and_then(|()| plausible::check(database))
-                .map_err(|error| DatabaseError { field: format!("hulls.{}.{}", record.name, error.field), ..error })?;
+            let in_record = |error: DatabaseError| {
+                let is_shared = SHARED.iter().any(|field| error.field.starts_with(field));
+                let path = if is_shared { error.field } else { format!("hulls.{}.{}", record.name, error.field) };
+                DatabaseError { field: path, ..error }
+            };
+            check::check_hull(database).and_then(|()| plausible::check(database)).map_err(in_record)?;
         }
         file.check_physics(&hulls)?;
         let coupling = file.coupling();
