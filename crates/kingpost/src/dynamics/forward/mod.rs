@@ -228,8 +228,8 @@ fn acceleration_pass<S: Scalar>(
         match plan.joint {
             LinkJoint::Floating => {
                 let (at, rotation) = (plan.velocities, &links.root_in_world(i).rotation);
-                let net = root::force(&loads.force[at..], rotation) - link.bias;
                 if work.coupled.place(i).is_none() {
+                    let net = root::force(&loads.force[at..], rotation) - link.bias;
                     link.response = root::accelerate(plan.floating, &link.inertia(moving), &net, fall[i]);
                 }
                 root::write(&link.response, fall[i], rotation, &mut v_dot[at..]);
