@@ -126,7 +126,7 @@ def test_responses_are_those_of_both_hulls_solved_at_once(folder: Path) -> None:
     found, peaks = by_the_engine(folder, data), np.abs(raw).max(axis=(0, 1))
     # Harmonics below 1e-7 of the largest are left out of the tables by heading; resonances multiply that.
     assert (np.abs(found - fitted) / peaks).max() < 3e-5
-    # What the fit of the memory costs: the limit of the documentation.
+    # The fit of the memory may cost what the documentation states.
     assert (np.abs(found - raw) / peaks).max() < 0.02
     alone = np.kron(np.eye(2), np.ones((6, 6)))
     single = solved_directly(data, data.added_mass * alone, data.radiation_damping * alone)

@@ -45,7 +45,8 @@ def read_several(path: str | Path) -> SeveralHulls:
     Raises
     ------
     HydrodynamicsError
-        As of `read`, and if the file holds one hull.
+        If the file cannot be read, is not a database, is truncated, holds one hull or a value that is not
+        allowed.
     """
     return several_tree.from_tree(_tree_of(path), str(path))
 
@@ -157,19 +158,8 @@ def _refuse_several(tree: dict[str, Any], file: str | None) -> None:
 
 def to_tree(database: Database) -> dict[str, Any]:
     """The database as plain values, with seven digits except for the memory: the contents of its file."""
-    here = database
     tree = {
-        "format": parts.FORMAT, "version": VERSION, "title": here.title,
-        "provenance": parts.provenance_tree(here.provenance), "water": parts.water_tree(here.water),
-        "hull": parts.hull_tree(here.hull),
-        "frequencies_rad_s": here.frequencies_rad_s, "wave_directions_rad": here.wave_directions_rad,
-        "added_mass": here.added_mass, "radiation_damping": here.radiation_damping,
-        "added_mass_infinite": here.added_mass_infinite,
-        "froude_krylov": parts.complex_tree(here.froude_krylov),
-        "diffraction": parts.complex_tree(here.diffraction),
-        "mean_drift": here.mean_drift,
+        **parts.head_tree(database, VERSION), "hull": parts.hull_tree(database.hull),
+        **parts.matrices_tree(database), **parts.waves_tree(database),
     }  # fmt: skip
-    loading = here.mean_drift_loading
-    if loading is not None:
-        tree["mean_drift_loading"] = vars(loading)
-    return {**parts.plain(tree), "radiation": parts.radiation_tree(here.radiation)}
+    return {**parts.plain(tree), "radiation": parts.radiation_tree(database.radiation)}

@@ -24,6 +24,9 @@ from .fields import Fields, shown
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from .database import Database
+    from .several import PlacedHull, SeveralHulls
+
 FORMAT = "kingpost-hydrodynamics"
 SIGNIFICANT_DIGITS = 7
 
@@ -148,6 +151,31 @@ def _mode(radiation: Fields, index: int, mode: object) -> RadiationMode:
         raise at.wrong("poles_rad_s", "a pole that is not", "real parts below 0, imaginary parts from 0")
     residues = at.numbers("residues", len(poles), len(radiation.values["modes"]), 2)
     return RadiationMode(poles[:, 0] + 1j * poles[:, 1], residues[..., 0] + 1j * residues[..., 1])
+
+
+def head_tree(database: Database | SeveralHulls, version: int) -> dict[str, Any]:
+    """Format, version, title, origin and water."""
+    return {
+        "format": FORMAT, "version": version, "title": database.title,
+        "provenance": provenance_tree(database.provenance), "water": water_tree(database.water),
+    }  # fmt: skip
+
+
+def matrices_tree(database: Database | SeveralHulls) -> dict[str, Any]:
+    """Grids, added mass and damping."""
+    names = ("frequencies_rad_s", "wave_directions_rad", "added_mass", "radiation_damping",
+             "added_mass_infinite")  # fmt: skip
+    return {name: getattr(database, name) for name in names}
+
+
+def waves_tree(one: Database | PlacedHull) -> dict[str, Any]:
+    """Loads of waves on one hull; without a field for the loading of a drift that has none."""
+    tree = {
+        "froude_krylov": complex_tree(one.froude_krylov), "diffraction": complex_tree(one.diffraction),
+        "mean_drift": one.mean_drift,
+    }  # fmt: skip
+    loading = one.mean_drift_loading
+    return tree if loading is None else {**tree, "mean_drift_loading": vars(loading)}
 
 
 def provenance_tree(about: Provenance) -> dict[str, Any]:

@@ -83,6 +83,14 @@ class Partial:
     def get(self, key: str) -> tuple[NDArray, ...] | None:
         return self.arrays.get(key)
 
+    def kept(self, key: str, solve: Callable[[], tuple[NDArray, ...]]) -> tuple[NDArray, ...]:
+        """A frequency's arrays: stored ones, or solved now and stored."""
+        found = self.get(key)
+        if found is None:
+            found = solve()
+            self.put(key, found)
+        return found
+
     def put(self, key: str, values: tuple[NDArray, ...]) -> None:
         """Store a frequency and write the file."""
         self.arrays[key] = values

@@ -93,7 +93,7 @@ def run(options: argparse.Namespace) -> SeveralHulls:
     warnings = [f"{one.name}: {remark}" for one in members for remark in one.hull.remarks]
     warnings += [*gap_warnings(members, highest, water), *_unresolved(members, every_one, directions, water)]
     warn(warnings)
-    every = _announce(options, members, water, frequencies, directions)
+    every = _announce(options, members, water, every_one, directions, refine=frequencies is None)
     solved = "frequencies, infinity among them, are solved by the stopped run"
     partial = Partial(
         target.with_name(target.name + ENDING), lambda done: print(f"{'goes on':<20}{done} {solved}")
@@ -183,15 +183,12 @@ def _unresolved(
 
 
 def _announce(
-    options: argparse.Namespace, members: list[Member], water: Water, frequencies: NDArray[np.float64] | None,
-    directions: int,
+    options: argparse.Namespace, members: list[Member], water: Water, frequencies: NDArray[np.float64],
+    directions: int, refine: bool,
 ) -> int:  # fmt: skip
     """Print memory and minutes; return the number of frequencies, the infinite one among them."""
     cluster = Cluster.of(members, [choose_lid(one.hull, options.lid)[0] for one in members])
     check_count(cluster)
-    refine = frequencies is None
-    if frequencies is None:
-        frequencies = several_frequencies(members, water)
     angles, _ = solved_directions(cluster.headings_rad, directions)
     covers = 0 if cluster.cover is None else len(cluster.cover.faces)
     run = demand.Size(

@@ -89,12 +89,12 @@ def solve_several(
     angles, index = solved_directions(cluster.headings_rad, directions)
     partial = partial or Partial(None)
     partial.open(_settings(problem, cluster, directions))
-    infinite = _kept(partial, "infinite", lambda: (problem.infinite(),))[0] * cluster.couplings
+    infinite = partial.kept("infinite", lambda: (problem.infinite(),))[0] * cluster.couplings
     update(1)
     rows: dict[float, tuple[NDArray, ...]] = {}
 
     def at(frequency: float) -> None:
-        rows[frequency] = _kept(partial, repr(frequency), lambda: problem.at(frequency, angles, index))
+        rows[frequency] = partial.kept(repr(frequency), lambda: problem.at(frequency, angles, index))
         LOG.info("%d frequencies solved: %g rad/s", len(rows), frequency)
         update(len(rows) + 1)
 
@@ -119,14 +119,6 @@ def solve_several(
         quick=_quick_left(rows, infinite),
         solver=f"Capytaine {module.__version__}, direct boundary integral equation",
     )
-
-
-def _kept(partial: Partial, key: str, solve: Callable[[], tuple[NDArray, ...]]) -> tuple[NDArray, ...]:
-    found = partial.get(key)
-    if found is None:
-        found = solve()
-        partial.put(key, found)
-    return found
 
 
 def _settings(problem: ClusterFlow, cluster: Cluster, directions: int) -> str:

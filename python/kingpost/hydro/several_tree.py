@@ -87,25 +87,11 @@ def _hull(at: Fields, name: str, n: int, m: int) -> PlacedHull:
 
 def to_tree(database: SeveralHulls) -> dict[str, Any]:
     """The database as plain values, with seven digits except for the memory: the contents of its file."""
-    here = database
-    tree = {
-        "format": parts.FORMAT, "version": VERSION, "title": here.title,
-        "provenance": parts.provenance_tree(here.provenance), "water": parts.water_tree(here.water),
-        "hulls": [_hull_tree(one) for one in here.hulls],
-        "frequencies_rad_s": here.frequencies_rad_s, "wave_directions_rad": here.wave_directions_rad,
-        "added_mass": here.added_mass, "radiation_damping": here.radiation_damping,
-        "added_mass_infinite": here.added_mass_infinite,
-    }  # fmt: skip
-    return {**parts.plain(tree), "radiation": parts.radiation_tree(here.radiation)}
+    hulls = [_hull_tree(one) for one in database.hulls]
+    tree = {**parts.head_tree(database, VERSION), "hulls": hulls, **parts.matrices_tree(database)}
+    return {**parts.plain(tree), "radiation": parts.radiation_tree(database.radiation)}
 
 
 def _hull_tree(one: PlacedHull) -> dict[str, Any]:
-    tree = {
-        "name": one.name, "place": vars(one.place), "hull": parts.hull_tree(one.hull),
-        "froude_krylov": parts.complex_tree(one.froude_krylov),
-        "diffraction": parts.complex_tree(one.diffraction),
-        "mean_drift": one.mean_drift,
-    }  # fmt: skip
-    if one.mean_drift_loading is not None:
-        tree["mean_drift_loading"] = vars(one.mean_drift_loading)
-    return tree
+    own = {"name": one.name, "place": vars(one.place), "hull": parts.hull_tree(one.hull)}
+    return {**own, **parts.waves_tree(one)}

@@ -102,11 +102,7 @@ def solve(
     angles = 2 * np.pi * np.array(chosen) / directions
     partial = partial or Partial(None)
     partial.open(_settings(problem, hull, cover, frequencies_rad_s, directions))
-    kept = partial.get("infinite")
-    if kept is None:
-        kept = (problem.infinite(),)
-        partial.put("infinite", kept)
-    infinite = kept[0]
+    infinite = partial.kept("infinite", lambda: (problem.infinite(),))[0]
     update(1)
     rows = []
     for done, frequency in enumerate(frequencies_rad_s):
